@@ -4,7 +4,7 @@ use actuator::Parameters;
 use configurator::{BrokenRule, Product, ProductId, Unmet};
 use order_code::Field;
 use quantities::Language;
-use sizing::{Check, Checked, Fit, Judgement, Standing, Verdict};
+use sizing::{Check, Checks, Fit, Judgement, Standing, Verdict};
 use words::{Counts, terminal};
 
 /// Reason against a candidate other than a failing check.
@@ -148,15 +148,15 @@ impl Candidate<'_> {
 
     /// Returns the checks for which a datum is missing.
     pub fn not_checked(&self) -> impl Iterator<Item = &Check> {
-        self.judgement.checks.iter().map(Checked::as_ref).filter(|check| check.is_open())
+        self.judgement.checks.iter().filter(|check| check.is_open())
     }
 }
 
 /// Sorts checks into the order of every answer, the governing one before the others of its verdict; see
 /// [`Check::importance`].
 #[must_use]
-pub fn by_importance(checks: &[Checked]) -> Vec<&Check> {
-    let mut sorted: Vec<&Check> = checks.iter().map(Checked::as_ref).collect();
+pub fn by_importance(checks: &Checks) -> Vec<&Check> {
+    let mut sorted: Vec<&Check> = checks.iter().collect();
     sorted.sort_by_cached_key(|check| check.importance());
     let governing = sizing::governing(checks);
     if let Some(place) = governing.and_then(|governing| sorted.iter().position(|check| check.id == governing.id)) {

@@ -8,7 +8,7 @@ use configurator::Product;
 use provenance::Datum;
 use quantities::unit::HOUR;
 use quantities::{Language, Measure, Time, parse_as};
-use sizing::{Check, Checked, Part, StepObserver as _};
+use sizing::{Check, Part, StepObserver as _};
 
 /// Reads a quantity from the command line.
 ///
@@ -49,7 +49,7 @@ pub(crate) fn battery(
 
 /// Iterates over the checks of the output bearing of one code.
 pub fn bearing_checks<'c>(candidate: &'c Candidate<'_>) -> impl Iterator<Item = &'c Check> {
-    candidate.judgement.checks.iter().map(Checked::as_ref).filter(|check| check.id.part() == Part::OutputBearing)
+    candidate.judgement.checks.iter().filter(|check| check.id.part() == Part::OutputBearing)
 }
 
 /// Judges the output bearing of each frame size for an axis, on the first product of the size: the bearing depends on the

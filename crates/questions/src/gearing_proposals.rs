@@ -5,7 +5,7 @@ use crate::sizing_use::{Candidate, Refusal, Rejected, size_watched};
 use axis::{AxisProject, Gearing};
 use quantities::Unit;
 use quantities::unit::ONE;
-use sizing::{Check, CheckId, Checked, Fit, Proviso, Verdict};
+use sizing::{Check, CheckId, Fit, Proviso, Verdict};
 
 /// A value of the gearing, or of a counterweight, with which an actuator fits, judged as displayed.
 #[derive(Clone, Debug, PartialEq)]
@@ -260,8 +260,7 @@ impl RankedAxis {
 /// it has a check of its own. The worst instant of the torque-speed trace by the lower edge is not the one at which the
 /// check fails, so its share is not used either.
 fn farther(candidate: &Candidate<'_>) -> Option<f64> {
-    let failing =
-        || candidate.judgement.checks.iter().map(Checked::as_ref).filter(|check| check.verdict == Verdict::Fail);
+    let failing = || candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail);
     if failing().any(|check| check.id.is_of_the_place()) {
         return None;
     }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::judge::{Checked, Scope, judge};
+use crate::judge::{Scope, judge};
 use crate::notes::Note;
 use crate::{Supply, SupplyFrom};
 use actuator::{Brake, Drivetrain, Feedback, FeedbackSide, Gear, ScrewJoint};
@@ -64,7 +64,7 @@ fn axis(segments: &[SegmentSpec]) -> Axis {
     Axis::braked(load, Motion::new(segments, None, Closing::Speed).unwrap(), vec![pull; segments.len()], times)
 }
 
-fn check(axis: &Axis, actuator: &Parameters, id: CheckId) -> Checked {
+fn check(axis: &Axis, actuator: &Parameters, id: CheckId) -> Check {
     judge(axis, actuator, Scope::All).checks.iter().find(|check| check.id == id).unwrap().clone()
 }
 

@@ -1,6 +1,6 @@
 use super::*;
 use crate::check::Verdict;
-use crate::judge::{Checked, Scope, judge};
+use crate::judge::{Scope, judge};
 use actuator::{Drivetrain, Parameters};
 use mechanism::{Extra, Mechanism};
 use motion::{Closing, ManualMove, Motion, SegmentSpec};
@@ -54,7 +54,7 @@ fn axis(pause: f64, drive: [Option<f64>; 3]) -> Axis {
     axis
 }
 
-fn check(axis: &Axis, actuator: &Parameters, id: CheckId) -> Option<Checked> {
+fn check(axis: &Axis, actuator: &Parameters, id: CheckId) -> Option<Check> {
     judge(axis, actuator, Scope::All).checks.iter().find(|check| check.id == id).cloned()
 }
 

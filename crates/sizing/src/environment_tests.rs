@@ -1,5 +1,5 @@
 use super::*;
-use crate::judge::{Checked, Scope, judge};
+use crate::judge::{Scope, judge};
 use actuator::{Drivetrain, Environment, Parameters, Protection};
 use mechanism::Mechanism;
 use motion::{Closing, Given, Law, Motion, SegmentSpec};
@@ -37,7 +37,7 @@ fn axis(state: impl Fn(&mut crate::AxisRequirements)) -> Axis {
     axis
 }
 
-fn found(id: CheckId, actuator: &Parameters, state: impl Fn(&mut crate::AxisRequirements)) -> Option<Checked> {
+fn found(id: CheckId, actuator: &Parameters, state: impl Fn(&mut crate::AxisRequirements)) -> Option<Check> {
     judge(&axis(state), actuator, Scope::All).checks.iter().find(|check| check.id == id).cloned()
 }
 

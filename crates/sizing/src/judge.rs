@@ -7,13 +7,13 @@ use crate::currents::Currents;
 use crate::demand::{Demand, ManualDemand};
 use crate::electrics::Electrics;
 use crate::energy;
+use crate::judged::Checks;
 use crate::list::{Case, SharedBy, Stage};
 use crate::notes::Note;
-use actuator::{Drivetrain, OutputBearing, Parameters};
+use actuator::{Drivetrain, Parameters};
 use derivation::Workings;
 use numeric::at_least;
-use std::ops::Deref;
-use std::sync::{Arc, LazyLock};
+use std::sync::Arc;
 
 /// Result of judging one actuator for one axis: demand and checks.
 #[derive(Clone, Debug)]
@@ -22,35 +22,8 @@ pub struct Judgement {
     pub demand: Option<Demand>,
     /// Demand by the manual's equations; see [`Judgement::by_the_manual`].
     pub manual: Option<ManualDemand>,
-    /// Results of the checks, in the order in which they are judged.
-    pub checks: Vec<Checked>,
-}
-
-/// Result of a check in a judgement. Most belong to one actuator and are stored in place: an allocation for each would take
-/// a third of the time of a ranking.
-#[derive(Clone, Debug)]
-pub enum Checked {
-    /// Result for one actuator.
-    Own(Check),
-    /// Result that holds for several actuators.
-    Shared(Arc<Check>),
-}
-
-impl Deref for Checked {
-    type Target = Check;
-
-    fn deref(&self) -> &Check {
-        match self {
-            Self::Own(check) => check,
-            Self::Shared(check) => check,
-        }
-    }
-}
-
-impl AsRef<Check> for Checked {
-    fn as_ref(&self) -> &Check {
-        self
-    }
+    /// Results of the checks.
+    pub checks: Checks,
 }
 
 /// Conditions under which an actuator fits though a check is beyond its limit; none for [`Fit::Fits`].
@@ -74,7 +47,7 @@ impl Judgement {
     pub fn fit(&self) -> Fit {
         if any_fails(&self.checks) {
             Fit::DoesNotFit
-        } else if self.checks.iter().any(|check| check.is_inside_band()) {
+        } else if self.checks.unordered().any(Check::is_inside_band) {
             Fit::FitsIfEstimate
         } else {
             Fit::Fits
@@ -84,7 +57,7 @@ impl Judgement {
     /// Returns the conditions of a fitting actuator.
     #[must_use]
     pub fn proviso(&self) -> Proviso {
-        let beyond = || self.checks.iter().map(Checked::as_ref).filter(|check| check.is_inside_band());
+        let beyond = || self.checks.unordered().filter(|check| check.is_inside_band());
         Proviso {
             estimate: beyond().any(|check| !check.is_of_another_gear()),
             rating: beyond().any(Check::is_of_another_gear),
@@ -120,14 +93,14 @@ impl Judgement {
     /// Returns the number of failing checks.
     #[must_use]
     pub fn failing(&self) -> usize {
-        self.checks.iter().filter(|check| check.verdict == Verdict::Fail).count()
+        self.checks.unordered().filter(|check| check.verdict == Verdict::Fail).count()
     }
 
     /// Returns `true` if gravity or tension acts on the axis and nothing holds it without power.
     #[must_use]
     pub fn leaves_load_unheld(&self) -> bool {
-        let mut holding = self.checks.iter().filter(|check| check.id == CheckId::BrakeHolding);
-        holding.any(|check| check.notes.contains(&Note::NothingHoldsWithoutPower))
+        let holding = self.checks.of(CheckId::BrakeHolding);
+        holding.is_some_and(|check| check.notes.contains(&Note::NothingHoldsWithoutPower))
     }
 }
 
@@ -137,22 +110,19 @@ impl Judgement {
 /// Two checks may have the same utilisation, as those of the mean speed at the output and at the motor, up to the
 /// rounding of the machine; of these the last in the order of the checks is returned, on every machine.
 #[must_use]
-pub fn governing(checks: &[Checked]) -> Option<&Check> {
-    let largest = contenders(checks).map(Check::severity).max_by(f64::total_cmp)?;
-    last_of_equal(contenders(checks).map(|check| (check.severity(), check)), largest)
-}
-
-/// Returns the checks among which the governing one is: those that fail; if none fails, those with a margin.
-fn contenders(checks: &[Checked]) -> impl Iterator<Item = &Check> {
+pub fn governing(checks: &Checks) -> Option<&Check> {
     let fails = any_fails(checks);
-    checks.iter().map(Checked::as_ref).filter(move |check| match fails {
+    let contends = |check: &&Check| match fails {
         true => check.verdict == Verdict::Fail,
         false => check.id.has_margin() && check.utilisation.is_some(),
-    })
+    };
+    let contenders = || checks.unordered().filter(contends);
+    let largest = contenders().map(Check::severity).max_by(f64::total_cmp)?;
+    contenders().filter(|check| at_least(check.severity(), largest)).max_by_key(|check| check.id)
 }
 
-fn any_fails(checks: &[Checked]) -> bool {
-    checks.iter().any(|check| check.verdict == Verdict::Fail)
+fn any_fails(checks: &Checks) -> bool {
+    checks.unordered().any(|check| check.verdict == Verdict::Fail)
 }
 
 /// Returns the last of those whose share equals the largest up to rounding.
@@ -198,42 +168,59 @@ pub type Naming<'n> = &'n mut dyn FnMut(&mut Check, usize);
 
 /// Judges one actuator after another for one axis.
 ///
-/// Neighbours in the catalogue have the same drivetrain or the same output bearing; answers that depend on it alone are
+/// Neighbours in the catalogue have the same drivetrain or the same output bearing; results that depend on it alone are
 /// computed once (see `Shared`).
 pub struct Judge<'a> {
     axis: &'a Axis,
     scope: Scope,
     depth: Depth,
     explain: bool,
-    checks: Vec<CheckId>,
+    checks: Selected,
     shared: Shared,
 }
 
-/// Checks in the order in which they are judged.
-static IN_ORDER: LazyLock<Vec<CheckId>> = LazyLock::new(|| {
-    let mut checks = CheckId::ALL.to_vec();
-    checks.sort_by_key(|id| id.place());
-    checks
-});
+/// Checks that a judge makes, by the actuators that share their results, each list in order.
+#[derive(Default)]
+struct Selected {
+    own: Vec<CheckId>,
+    of_drivetrain: Vec<CheckId>,
+    of_bearing: Vec<CheckId>,
+}
+
+impl Selected {
+    /// Returns the checks that satisfy a condition.
+    fn of(is_selected: impl Fn(CheckId) -> bool) -> Self {
+        let mut selected = Self::default();
+        for id in CheckId::ALL.iter().copied().filter(|id| is_selected(*id)) {
+            match id.shared_by() {
+                SharedBy::Nothing => selected.own.push(id),
+                SharedBy::Drivetrain => selected.of_drivetrain.push(id),
+                SharedBy::Bearing => selected.of_bearing.push(id),
+            }
+        }
+        selected
+    }
+}
 
 impl<'a> Judge<'a> {
     /// Creates a judge of actuators for an axis.
     #[must_use]
     pub fn new(axis: &'a Axis, scope: Scope, depth: Depth) -> Self {
-        let mut checks = IN_ORDER.clone();
-        checks.retain(|id| id.is_made(axis) && (scope != Scope::Deciding || id.can_fail(axis)));
-        Self { axis, scope, depth, explain: false, checks, shared: Shared::default() }
+        Self::by(axis, scope, depth, |id| scope != Scope::Deciding || id.can_fail(axis))
     }
 
     /// Creates a judge by the checks of one part of the actuator.
     #[must_use]
     pub fn of_part(axis: &'a Axis, part: Part) -> Self {
-        let mut judge = Self::new(axis, Scope::All, Depth::Complete);
-        judge.checks.retain(|id| id.part() == part);
-        judge
+        Self::by(axis, Scope::All, Depth::Complete, |id| id.part() == part)
     }
 
-    /// Creates a judge by every check, each answer with the workings of its value and its limit.
+    fn by(axis: &'a Axis, scope: Scope, depth: Depth, is_selected: impl Fn(CheckId) -> bool) -> Self {
+        let checks = Selected::of(|id| id.is_made(axis) && is_selected(id));
+        Self { axis, scope, depth, explain: false, checks, shared: Shared::default() }
+    }
+
+    /// Creates a judge by every check, each result with the workings of its value and its limit.
     #[must_use]
     pub fn explaining(axis: &'a Axis) -> Self {
         Self { explain: true, ..Self::new(axis, Scope::All, Depth::Complete) }
@@ -259,93 +246,66 @@ impl<'a> Judge<'a> {
             bearing: bearing.as_ref(),
             only_failing: false,
         };
+        let mut answer = |id: CheckId, case: &Case<'_>| {
+            let mut check = answered(id, case, explain)?;
+            naming(&mut check, governing);
+            Some(check)
+        };
+        let mut answers = |ids: &[CheckId]| ids.iter().filter_map(|id| answer(*id, &case)).collect();
+        let of_drivetrain = shared.of_drivetrain.get_or_insert_with(|| answers(&checks.of_drivetrain));
+        let of_bearing = shared.of_bearing.get_or_insert_with(|| answers(&checks.of_bearing));
 
-        let mut found: Vec<Checked> = Vec::with_capacity(checks.len());
-        let mut is_rejected = false;
-        for &id in checks {
+        let mut made = Checks::sharing([Arc::clone(of_drivetrain), Arc::clone(of_bearing)], checks.own.len());
+        let mut is_rejected = any_fails(&made);
+        for &id in &checks.own {
             if depth == Depth::UntilRejected && is_rejected && id.stage() > Stage::First {
                 break;
             }
-            if id == CheckId::Regeneration && is_energy_left_out(scope, &case, &found) {
+            if id == CheckId::Regeneration && is_energy_left_out(scope, &case, &made) {
                 continue;
             }
-            let check = match shared.get(id) {
-                Some(known) => Checked::Shared(Arc::clone(known)),
-                None => {
-                    case.only_failing = depth == Depth::Failing && is_rejected;
-                    let Some(mut check) = answered(id, &case, explain) else { continue };
-                    naming(&mut check, governing);
-                    shared.store(check)
-                }
-            };
+            case.only_failing = depth == Depth::Failing && is_rejected;
+            let Some(check) = answer(id, &case) else { continue };
             is_rejected |= check.verdict == Verdict::Fail;
-            found.push(check);
+            made.push(check);
         }
-        Judgement { demand, manual, checks: found }
+        Judgement { demand, manual, checks: made }
     }
 }
 
-/// Answers that hold for several actuators, each under the condition under which it may be used again.
+/// Results that hold for several actuators, until one with another drivetrain or output bearing is judged.
+#[derive(Default)]
 struct Shared {
-    /// Answers of [`SharedBy::Drivetrain`] and current, heat and voltage laws: the same drivetrain.
+    /// Drivetrain, with its current, heat and voltage laws.
     drivetrain: Option<(Arc<Drivetrain>, Arc<Electrics>)>,
-    /// Answers of [`SharedBy::Bearing`]: an equal output bearing.
-    bearing: Option<OutputBearing>,
-    /// Index of the governing move, which the sources of all stored answers name.
+    /// Results of [`SharedBy::Drivetrain`] for that drivetrain.
+    of_drivetrain: Option<Arc<[Check]>>,
+    /// Results of [`SharedBy::Bearing`] for the bearing of that drivetrain.
+    of_bearing: Option<Arc<[Check]>>,
+    /// Index of the governing move, which the sources of the results name.
     governing: usize,
-    /// Stored answers, by the position of their check in [`CheckId::ALL`].
-    answers: [Option<Arc<Check>>; CheckId::ALL.len()],
-}
-
-impl Default for Shared {
-    fn default() -> Self {
-        Self { drivetrain: None, bearing: None, governing: 0, answers: [const { None }; CheckId::ALL.len()] }
-    }
 }
 
 impl Shared {
-    /// Discards the answers that do not hold for an actuator, and returns the laws of its drivetrain.
+    /// Discards the results that do not hold for an actuator, and returns the laws of its drivetrain.
     fn begin(&mut self, axis: &Axis, actuator: &Parameters, governing: usize) -> Arc<Electrics> {
-        let electrics = match &self.drivetrain {
-            Some((drivetrain, electrics)) if Arc::ptr_eq(drivetrain, &actuator.drivetrain) => Arc::clone(electrics),
-            _ => {
-                self.forget(|check| check.id.shared_by() == SharedBy::Drivetrain);
-                let electrics = Arc::new(Electrics::of(axis, actuator));
-                self.drivetrain = Some((Arc::clone(&actuator.drivetrain), Arc::clone(&electrics)));
-                electrics
-            }
-        };
-        if self.bearing.as_ref() != Some(&actuator.output_bearing) {
-            self.forget(|check| check.id.shared_by() == SharedBy::Bearing);
-            self.bearing = Some(actuator.output_bearing.clone());
-        }
         if self.governing != governing {
-            self.forget(|_| true);
+            (self.of_drivetrain, self.of_bearing) = (None, None);
             self.governing = governing;
         }
+        if let Some((drivetrain, electrics)) = &self.drivetrain
+            && Arc::ptr_eq(drivetrain, &actuator.drivetrain)
+        {
+            return Arc::clone(electrics);
+        }
+        let is_of_bearing = |drivetrain: &Drivetrain| drivetrain.output_bearing == actuator.output_bearing;
+        if !self.drivetrain.as_ref().is_some_and(|(drivetrain, _)| is_of_bearing(drivetrain)) {
+            self.of_bearing = None;
+        }
+        self.of_drivetrain = None;
+        let electrics = Arc::new(Electrics::of(axis, actuator));
+        self.drivetrain = Some((Arc::clone(&actuator.drivetrain), Arc::clone(&electrics)));
         electrics
-    }
-
-    fn forget(&mut self, is_outdated: impl Fn(&Check) -> bool) {
-        for answer in &mut self.answers {
-            answer.take_if(|check| is_outdated(check));
-        }
-    }
-
-    fn get(&self, id: CheckId) -> Option<&Arc<Check>> {
-        self.answers.get(id as usize)?.as_ref()
-    }
-
-    /// Keeps an answer if it holds for several actuators, and returns it.
-    fn store(&mut self, check: Check) -> Checked {
-        if check.id.shared_by() == SharedBy::Nothing {
-            return Checked::Own(check);
-        }
-        let check = Arc::new(check);
-        if let Some(answer) = self.answers.get_mut(check.id as usize) {
-            *answer = Some(Arc::clone(&check));
-        }
-        Checked::Shared(check)
     }
 }
 
@@ -362,16 +322,16 @@ fn answered(id: CheckId, case: &Case<'_>, explain: bool) -> Option<Check> {
 
 /// Returns `true` if a scope leaves the regenerated energy out: in a ranking if the project does not limit it and it can be
 /// computed; among the deciding checks if by its bounds it is sure to pass with a utilisation below that of another check.
-fn is_energy_left_out(scope: Scope, case: &Case<'_>, found: &[Checked]) -> bool {
+fn is_energy_left_out(scope: Scope, case: &Case<'_>, found: &Checks) -> bool {
     match scope {
         Scope::All => false,
         Scope::Ranking => {
             !CheckId::Regeneration.can_fail(case.axis) && !energy::is_missing(case.actuator, case.currents)
         }
         Scope::Deciding => {
-            let has_share = |check: &&Checked| check.id.has_margin() && check.id.margin() != Margin::Range;
-            let counted = found.iter().filter(|check| check.verdict == Verdict::Fail || has_share(check));
-            let largest = counted.map(|check| check.severity()).fold(0.0, f64::max);
+            let has_share = |check: &Check| check.id.has_margin() && check.id.margin() != Margin::Range;
+            let counted = found.unordered().filter(|check| check.verdict == Verdict::Fail || has_share(check));
+            let largest = counted.map(Check::severity).fold(0.0, f64::max);
             energy::is_below(case.axis, case.actuator, case.currents, largest.min(1.0))
         }
     }

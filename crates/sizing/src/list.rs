@@ -74,7 +74,7 @@ pub(crate) enum SharedBy {
 /// Result of a check, or the datum that it lacks.
 pub(crate) type Outcome = Result<Check, Missing>;
 
-/// Order of the checks: by stage, and within a stage by the list.
+/// Stage of a judgement. The list of checks is sorted by stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Stage {
     /// Checks that need no further evaluation of the cycle.
@@ -204,7 +204,7 @@ macro_rules! checks {
         }
 
         impl CheckId {
-            /// Checks in the order of the list.
+            /// Checks in the order of the list, in which they are judged.
             pub const ALL: &[Self] = &[$(Self::$name),*];
 
             const fn entry(self) -> &'static ListedCheck {
@@ -235,15 +235,6 @@ checks! {
     PeakCurrent: ListedCheck::new("peak_current", Drive, First, Actuator(currents::peak_current));
     /// Peak motor current against I_E.
     Demagnetisation: ListedCheck::new("demagnetisation", Drive, First, Actuator(currents::demagnetisation));
-    /// Effective motor current against the continuous current of the drive of the machine.
-    DriveCurrent: ListedCheck::new("drive_current", Drive, Heat, Actuator(drive_checks::continuous))
-        .only_with("drive.current_continuous", |axis| axis.asked.drive_current_continuous.is_some());
-    /// Peak motor current against the peak current of the drive of the machine.
-    DriveCurrentPeak: ListedCheck::new("drive_current_peak", Drive, Heat, Actuator(drive_checks::peak))
-        .only_with("drive.current_peak", |axis| axis.asked.drive_current_peak.is_some());
-    /// Longest time above the continuous current of the drive against the time of its peak current.
-    DrivePeakTime: ListedCheck::new("drive_peak_time", Drive, Heat, Actuator(drive_checks::peak_time))
-        .only_with("drive.peak_time", |axis| axis.asked.drive_peak_time.is_some());
     /// Terminal voltage of the motor against the voltage available from the DC link.
     Voltage: ListedCheck::new("voltage", Energy, First, Actuator(currents::voltage))
         .only_with("requirements.supply", |axis| axis.supply.is_some());
@@ -317,12 +308,24 @@ checks! {
     Mounting: ListedCheck::new("mounting", Environment, First, OfDrivetrain(environment::mounting))
         .margin(Margin::Class).mended_by(Mended::Neither)
         .only_with("requirements.mounting", |axis| axis.asked.mounting.is_some());
+    /// Effective motor current against the continuous current of the drive of the machine.
+    DriveCurrent: ListedCheck::new("drive_current", Drive, Heat, Actuator(drive_checks::continuous))
+        .only_with("drive.current_continuous", |axis| axis.asked.drive_current_continuous.is_some());
+    /// Peak motor current against the peak current of the drive of the machine.
+    DriveCurrentPeak: ListedCheck::new("drive_current_peak", Drive, Heat, Actuator(drive_checks::peak))
+        .only_with("drive.current_peak", |axis| axis.asked.drive_current_peak.is_some());
+    /// Longest time above the continuous current of the drive against the time of its peak current.
+    DrivePeakTime: ListedCheck::new("drive_peak_time", Drive, Heat, Actuator(drive_checks::peak_time))
+        .only_with("drive.peak_time", |axis| axis.asked.drive_peak_time.is_some());
     /// Every instant of the cycle against the short-time torque at its speed.
     TorqueSpeedTrace: ListedCheck::new("torque_speed_trace", Drive, Heat, Concerned(electric_checks::torque_speed_trace));
     /// Temperature of the winding in the steady cycle against its warning threshold.
     Thermal: ListedCheck::new("thermal", Part::Thermal, Heat, Concerned(heat_checks::thermal));
     /// Filtered square of the current against that of I_0.
     OverloadI2t: ListedCheck::new("overload_i2t", Part::Thermal, Heat, Concerned(heat_checks::overload));
+    /// Mean regenerated power against the power that the supply or a resistor can take.
+    Regeneration: ListedCheck::new("regeneration", Energy, Pass, Actuator(energy::regeneration))
+        .limited_by("requirements.regeneration_power_max", |axis| axis.asked.regeneration_power_max.is_some());
     /// Mean input speed of the gear against its limit.
     GearMeanInputSpeed: ListedCheck::new("gear_mean_input_speed", Gear, Further, Actuator(gear_checks::mean_input_speed))
         .mended_by(Mended::Pace);
@@ -359,9 +362,6 @@ checks! {
     DcLink: ListedCheck::new("dc_link", Energy, First, OfDrivetrain(electric_checks::dc_link))
         .margin(Margin::Class).mended_by(Mended::Neither)
         .only_with("requirements.supply", |axis| axis.supply.is_some());
-    /// Mean regenerated power against the power that the supply or a resistor can take.
-    Regeneration: ListedCheck::new("regeneration", Energy, Pass, Actuator(energy::regeneration))
-        .limited_by("requirements.regeneration_power_max", |axis| axis.asked.regeneration_power_max.is_some());
     /// Travel against the absolute range of the feedback.
     FeedbackRange: ListedCheck::new("feedback_range", Feedback, Further, Concerned(feedback_checks::range))
         .of_the_output().of_the_feedback().limited_by("requirements.absolute", |axis| axis.asked.absolute == Some(true));
@@ -455,11 +455,6 @@ impl CheckId {
     /// Returns `true` if its answer depends on the pace of the motion alone.
     pub(crate) const fn is_of_the_pace(self) -> bool {
         matches!(self.entry().mended, Mended::Pace)
-    }
-
-    /// Returns its place among the results.
-    pub(crate) const fn place(self) -> (Stage, Self) {
-        (self.entry().stage, self)
     }
 
     pub(crate) const fn stage(self) -> Stage {

@@ -1,5 +1,5 @@
 use super::*;
-use crate::judge::{Checked, Scope, judge};
+use crate::judge::{Scope, judge};
 use actuator::{Drivetrain, Gear};
 use mechanism::{Mechanism, MechanismKind, SliderCrank};
 use motion::{Closing, Given, Law, Motion, SegmentSpec};
@@ -37,7 +37,7 @@ fn hold(speed: f64, time: f64) -> SegmentSpec {
     SegmentSpec::Move(Law::Constant, given)
 }
 
-fn check(axis: &Axis) -> Checked {
+fn check(axis: &Axis) -> Check {
     let judged = judge(axis, &actuator(), Scope::All);
     judged.checks.iter().find(|check| check.id == CheckId::ResonanceSpeed).unwrap().clone()
 }

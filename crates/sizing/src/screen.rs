@@ -16,7 +16,7 @@ use crate::bearing_checks::Borne;
 use crate::check::{Check, CheckId, Fit, Part, Verdict};
 use crate::currents::Currents;
 use crate::electrics::Electrics;
-use crate::judge::{Checked, Depth, Judge, Judgement, Scope, judge, last_of_equal};
+use crate::judge::{Depth, Judge, Judgement, Scope, judge, last_of_equal};
 use crate::list::{Answer, Case, SharedBy};
 use crate::notes::Note;
 use crate::rank::{RankKey, Standing};
@@ -325,7 +325,7 @@ impl Row<'_> {
             let known = borne.iter().flat_map(|borne| borne.shares.iter().copied());
             shares.extend(ids.iter().filter_map(|id| Some((checked(*id, case)?.utilisation?, *id))).chain(known));
         });
-        shares.sort_unstable_by_key(|(_, id)| id.place());
+        shares.sort_unstable_by_key(|(_, id)| *id);
         let largest = shares.iter().map(|(share, _)| *share).fold(0.0, f64::max);
         (largest, last_of_equal(shares, largest))
     }
@@ -351,12 +351,8 @@ impl Row<'_> {
             // The bound is below every failing check, so every check is made.
             let judgement = judge(self.axis, &group.representative, Scope::Deciding);
             let excludes = |check: &&Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
-            let excluding = judgement
-                .checks
-                .iter()
-                .map(Checked::as_ref)
-                .filter(excludes)
-                .max_by(|a, b| a.severity().total_cmp(&b.severity()));
+            let excluding =
+                judgement.checks.iter().filter(excludes).max_by(|a, b| a.severity().total_cmp(&b.severity()));
             if excluding.is_some() != elsewhere {
                 continue;
             }

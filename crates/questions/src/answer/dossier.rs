@@ -18,7 +18,7 @@ use order_code::Field;
 use provenance::{Datum, MANUAL, Source};
 use quantities::unit::{MILLIMETRE, NEWTON_METRE};
 use quantities::{Language, Measure, Unit, format_number, with_symbol};
-use sizing::{Checked, Reserve};
+use sizing::{Checks, Reserve};
 use words::{
     Counts, capitalised, check_missing, describe_token, document_note, document_title, records, short, source_text,
     terms, title_of_check, typeset, unpadded, wiring,
@@ -39,7 +39,7 @@ pub fn dossier(
 ) -> Dossier {
     let workings = crate::explain(project, &chosen.id);
     // If the rules of the code prevent a new judgement, the judgement of the ranking, without workings, is used.
-    let checks: &[Checked] = workings.as_ref().map_or(&chosen.judgement.checks, |found| &found.judgement.checks);
+    let checks: &Checks = workings.as_ref().map_or(&chosen.judgement.checks, |found| &found.judgement.checks);
     let inputs = inputs_of_axis(text, place);
     let mut judgement = judgement(project, chosen, found, assessment, language);
     judgement.candidate.checks =
@@ -92,7 +92,7 @@ fn rejections(ranked: &Sizing<'_>, language: Language) -> Vec<RejectionGroup> {
 }
 
 /// Returns the documents from which the figures of the checks are taken, the manual first.
-fn documents(checks: &[Checked], language: Language) -> Vec<Document> {
+fn documents(checks: &Checks, language: Language) -> Vec<Document> {
     let mut ids: Vec<&'static str> = vec![MANUAL];
     let sources = checks.iter().flat_map(|check| {
         let own = [&check.limit_source, &check.value_source].into_iter().flatten();
@@ -123,7 +123,7 @@ pub(crate) fn document(found: &catalogue::SourceDocument, language: Language) ->
 /// Every erratum that a figure of the checks, the mass or a line of the data sheet rests on, once, with the first of them that does.
 fn errata(
     chosen: &Candidate<'_>,
-    checks: &[Checked],
+    checks: &Checks,
     sheet: &[answers::DataLine],
     language: Language,
 ) -> Vec<ErratumUsed> {

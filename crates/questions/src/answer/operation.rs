@@ -5,14 +5,14 @@ use answers::{DataLine, Duty, MotorSide, Number, Operation, SegmentLoad};
 use order_code::OrderCode;
 use quantities::unit::REVOLUTION_PER_MINUTE;
 use quantities::{Language, Unit};
-use sizing::{Check, CheckId, Checked, Note};
+use sizing::{Check, CheckId, Checks, Note};
 use words::operation::{duty_id, duty_name, duty_reason};
 use words::{condition_text, symbol_term};
 
 /// The cycle on an actuator whose checks are these, with the errata of k_TM: energies of the cycle and the largest power are theirs.
 pub(super) fn operation(
     found: &sizing::Operation,
-    (checks, errata): (&[Checked], &'static [&'static str]),
+    (checks, errata): (&Checks, &'static [&'static str]),
     language: Language,
 ) -> Operation {
     let energies = checks.iter().find(|check| check.id == CheckId::Regeneration).and_then(|check| energies(check));

@@ -10,7 +10,7 @@ use crate::subject::stated_or_best;
 use axis::AxisProject;
 use configurator::ProductId;
 use quantities::Language;
-use sizing::{Check, CheckId, Checked, StepObserver as _};
+use sizing::{Check, CheckId, StepObserver as _};
 use words::check_title;
 use words::help;
 use words::help::values;
@@ -100,7 +100,7 @@ impl Explanation<'_> {
     #[must_use]
     pub fn checks(&self) -> Vec<&Check> {
         let asked = |check: &&Check| self.wanted.is_none_or(|id| check.id == id);
-        self.candidate.judgement.checks.iter().map(Checked::as_ref).filter(asked).collect()
+        self.candidate.judgement.checks.iter().filter(asked).collect()
     }
 
     /// Returns the record of the explanation.

@@ -3,7 +3,7 @@
 use crate::{CheckId, Verdict, check, size};
 use axis::AxisProject;
 use quantities::Language;
-use sizing::Checked;
+use sizing::{Check, Checks};
 
 const ARM: &str = r#"format = 1
 [mechanism.arm]
@@ -45,13 +45,13 @@ fn messages(text: &str) -> Vec<String> {
     faults.into_iter().map(|fault| fault.message).collect()
 }
 
-fn checks(project: &AxisProject) -> Vec<Checked> {
+fn checks(project: &AxisProject) -> Checks {
     let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
     check(project, &code).unwrap().judgement.checks
 }
 
-fn of(project: &AxisProject, id: CheckId) -> Checked {
-    checks(project).into_iter().find(|check| check.id == id).unwrap()
+fn of(project: &AxisProject, id: CheckId) -> Check {
+    checks(project).iter().find(|check| check.id == id).unwrap().clone()
 }
 
 fn value(project: &AxisProject, id: CheckId) -> f64 {

@@ -4,7 +4,7 @@ use crate::{CheckId, check, explain, size};
 use axis::{AxisProject, RatioAnswer};
 use quantities::unit::{ARCMINUTE, DEGREE};
 use quantities::{Language, Measure};
-use sizing::Checked;
+use sizing::Checks;
 
 const ARM: &str = r#"format = 1
 [mechanism.arm]
@@ -40,7 +40,7 @@ fn messages(stage: &str) -> Vec<String> {
     faults.into_iter().map(|fault| fault.message).collect()
 }
 
-fn checks(project: &AxisProject) -> Vec<Checked> {
+fn checks(project: &AxisProject) -> Checks {
     let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
     check(project, &code).unwrap().judgement.checks
 }
@@ -184,7 +184,8 @@ fn the_flange_bears_the_stage() {
     let bearing = "[bearing]\nmechanism = \"add\"\nbelt_tension = \"200 N\"\noverhang = \"20 mm\"\nload_factor = 1.2\n";
     let stage = "[stage]\nkind = \"belt\"\nratio = 2\n";
     let open = arm(&format!("{stage}{bearing}"));
-    let radial = checks(&open).into_iter().find(|check| check.id == CheckId::BearingRadial).unwrap();
+    let checks = checks(&open);
+    let radial = checks.iter().find(|check| check.id == CheckId::BearingRadial).unwrap();
     assert_eq!(radial.missing, Some("stage.pitch_diameter"));
     let project = arm(&format!("{stage}pitch_diameter = \"80 mm\"\n{bearing}"));
     let pull = value(&project, CheckId::BearingRadial) - 400.0;

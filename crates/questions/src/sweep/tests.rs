@@ -36,7 +36,7 @@ fn sized(text: &str) -> Result<Best, String> {
     // Where the place or a requirement excludes each code, a row names the check of the place.
     let is_excluded = |candidate: &&crate::Candidate<'_>| {
         let of_the_place =
-            |check: &sizing::Checked| check.verdict == sizing::Verdict::Fail && check.id.is_of_the_place();
+            |check: &sizing::Check| check.verdict == sizing::Verdict::Fail && check.id.is_of_the_place();
         !candidate.objections.is_empty() || candidate.judgement.checks.iter().any(of_the_place)
     };
     let found = match (sizing.answer(), sizing.nearest_miss().filter(|miss| !is_excluded(miss))) {
@@ -58,7 +58,7 @@ fn sized(text: &str) -> Result<Best, String> {
         (None, None) => {
             let excluded = sizing.rejected().iter().find(|candidate| candidate.objections.is_empty());
             let of_the_place =
-                |check: &&sizing::Checked| check.verdict == sizing::Verdict::Fail && check.id.is_of_the_place();
+                |check: &&sizing::Check| check.verdict == sizing::Verdict::Fail && check.id.is_of_the_place();
             let checks = excluded.iter().flat_map(|candidate| &candidate.judgement.checks).filter(of_the_place);
             let found = checks.max_by(|a, b| a.severity().total_cmp(&b.severity()));
             Best {

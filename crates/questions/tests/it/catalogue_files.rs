@@ -107,7 +107,7 @@ fn a_product_of_a_file_is_judged_as_the_same_data_in_the_project() {
 type Numbers = (String, Option<f64>, Option<f64>);
 
 fn numbers(candidate: &questions::Candidate<'_>) -> Vec<Numbers> {
-    let of = |check: &sizing::Checked| {
+    let of = |check: &sizing::Check| {
         (
             format!("{:?} {:?}", check.id, check.verdict),
             check.value.map(|value| value.si),

@@ -4,7 +4,7 @@
 use axis::AxisProject;
 use provenance::Source;
 use questions::{CheckId, check, explain, read, read_all};
-use sizing::Checked;
+use sizing::Checks;
 
 const REST: &str = "brake = \"0.1 s\"\npause = \"1 s\"\n";
 
@@ -12,12 +12,12 @@ fn manual(speed: &str) -> String {
     format!("[[motion]]\nlaw = \"manual\"\nspeed = \"{speed}\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\n{REST}")
 }
 
-fn checks(project: &AxisProject) -> Vec<Checked> {
+fn checks(project: &AxisProject) -> Checks {
     let code = order_code::parse("CHA-25A-100-H-C1024").unwrap().code;
     check(project, &code).unwrap().judgement.checks
 }
 
-fn value_key(checks: &[Checked], id: CheckId) -> String {
+fn value_key(checks: &Checks, id: CheckId) -> String {
     let check = checks.iter().find(|check| check.id == id).unwrap();
     match check.value_source.as_ref().unwrap() {
         Source::Project { key } => key.to_string(),
@@ -25,7 +25,7 @@ fn value_key(checks: &[Checked], id: CheckId) -> String {
     }
 }
 
-fn limit_key(checks: &[Checked], id: CheckId) -> String {
+fn limit_key(checks: &Checks, id: CheckId) -> String {
     checks.iter().find(|check| check.id == id).unwrap().limit_source.as_ref().unwrap().to_string()
 }
 

@@ -57,7 +57,7 @@ fn cycle(inertia: f64, speed: f64, rise: f64, fall: f64, curve: &str) -> axis::A
 fn peak_current(project: &axis::AxisProject, code: &str) -> sizing::Check {
     let code = questions::read_code(code, quantities::Language::En).expect("a code").parsed.code;
     let candidate = questions::check(project, &code).expect("it is in the catalogue");
-    candidate.judgement.checks.iter().find(|check| check.id == CheckId::PeakCurrent).unwrap().as_ref().clone()
+    candidate.judgement.checks.iter().find(|check| check.id == CheckId::PeakCurrent).unwrap().clone()
 }
 
 /// The torque of a drawn curve, of any height, does not raise the permitted current above I_max; that both contradict is a
@@ -94,7 +94,7 @@ fn the_largest_current_is_stated_where_another_instant_governs() {
                 let project = cycle(1.3, speed, rise, fall, "");
                 let [with, largest] = [&actuator, &without].map(|actuator| {
                     let found = sizing::judge(&project.axis, actuator, sizing::Scope::All);
-                    found.checks.iter().find(|check| check.id == CheckId::PeakCurrent).unwrap().as_ref().clone()
+                    found.checks.iter().find(|check| check.id == CheckId::PeakCurrent).unwrap().clone()
                 });
                 let [value, largest] = [&with, &largest].map(|check| check.value.unwrap().si);
                 let stated = with.notes.iter().find_map(|note| match note {

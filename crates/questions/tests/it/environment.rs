@@ -2,12 +2,12 @@
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
 
 use questions::{Fit, check, size};
-use sizing::{Check, CheckId, Checked, Note, Verdict};
+use sizing::{Check, CheckId, Note, Verdict};
 
 const AXIS: &str = "format = 1\n[load]\ninertia = \"0.05 kg m^2\"\n[[motion]]\nlaw = \"manual\"\nspeed = \"20 1/min\"\n\
     accelerate = \"0.2 s\"\nrun = \"0.5 s\"\nbrake = \"0.2 s\"\npause = \"0.5 s\"\n[requirements]\n";
 
-fn found(code: &str, keys: &str, id: CheckId) -> Checked {
+fn found(code: &str, keys: &str, id: CheckId) -> Check {
     let project = questions::read(&format!("{AXIS}{keys}\n")).unwrap();
     let found = check(&project, &order_code::parse(code).unwrap().code).unwrap();
     found.judgement.checks.iter().find(|check| check.id == id).unwrap().clone()

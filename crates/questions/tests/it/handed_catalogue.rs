@@ -70,7 +70,7 @@ type Said = (CheckId, Verdict, Option<Amount>, Option<Amount>);
 
 /// Statements about a candidate.
 fn said(candidate: &Candidate<'_>) -> (Fit, Vec<Said>) {
-    let of = |check: &sizing::Checked| (check.id, check.verdict, check.value, check.limit);
+    let of = |check: &sizing::Check| (check.id, check.verdict, check.value, check.limit);
     (candidate.fit(), candidate.judgement.checks.iter().map(of).collect())
 }
 

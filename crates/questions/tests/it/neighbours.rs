@@ -129,12 +129,12 @@ fn what_a_cycle_gives_back_is_found_for_many_as_for_one() {
         let all = questions::size(project).candidates;
         let mut judge = Judge::new(&project.axis, Scope::All, Depth::Complete);
         for candidate in all.iter().filter(|candidate| candidate.fits()).take(20) {
-            let energy = |checks: &[sizing::Checked]| {
+            let energy = |checks: &sizing::Checks| {
                 let energy = checks.iter().find(|check| check.id == sizing::CheckId::Regeneration).unwrap();
                 (energy.value, energy.verdict, energy.notes.clone())
             };
             let alone = judge.next(candidate.parameters, &mut |_, _| {});
-            let ids = |checks: &[sizing::Checked]| checks.iter().map(|check| check.id).collect::<Vec<_>>();
+            let ids = |checks: &sizing::Checks| checks.iter().map(|check| check.id).collect::<Vec<_>>();
             assert_eq!(ids(&candidate.judgement.checks), ids(&alone.checks), "{}, {}", project.name, candidate.id);
             let (together, alone) = (energy(&candidate.judgement.checks), energy(&alone.checks));
             assert_eq!(format!("{together:?}"), format!("{alone:?}"), "{}, {}", project.name, candidate.id);

@@ -5,7 +5,7 @@ use crate::written_product::{toml, written};
 use axis::AxisProject;
 use provenance::Grade;
 use questions::check_own;
-use sizing::{Check, CheckId, Checked};
+use sizing::{Check, CheckId, Checks};
 
 fn project(requirements: &str, actuator: &str) -> AxisProject {
     let text = format!(
@@ -19,7 +19,7 @@ fn project(requirements: &str, actuator: &str) -> AxisProject {
     questions::read(&text).unwrap()
 }
 
-fn check(project: &AxisProject, id: CheckId) -> Checked {
+fn check(project: &AxisProject, id: CheckId) -> Check {
     let found = check_own(project).unwrap();
     found.judgement.checks.iter().find(|check| check.id == id).unwrap().clone()
 }
@@ -83,7 +83,7 @@ fn a_product_written_out_is_judged_as_in_the_catalogue() {
             if id == CheckId::BrakeHolding && candidate.product.parameters.brake.holding_torque.known().is_none() {
                 continue;
             }
-            let of = |checks: &[Checked]| checks.iter().find(|check| check.id == id).cloned();
+            let of = |checks: &Checks| checks.iter().find(|check| check.id == id).cloned();
             let (there, here) = (of(&candidate.judgement.checks).unwrap(), of(&own.judgement.checks).unwrap());
             let numbers = |check: &Check| {
                 [check.value.map(|amount| amount.si), check.limit.map(|amount| amount.si), check.utilisation]

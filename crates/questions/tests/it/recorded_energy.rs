@@ -4,7 +4,7 @@
 
 use axis::Files;
 use questions::{CheckId, check};
-use sizing::{Check, Checked};
+use sizing::Check;
 use std::fmt::Write as _;
 
 struct Given(String);
@@ -28,7 +28,7 @@ fn recording(digits: usize) -> Given {
     Given(text)
 }
 
-fn regeneration(mechanism: &str, files: &Given, requirements: &str) -> Checked {
+fn regeneration(mechanism: &str, files: &Given, requirements: &str) -> Check {
     let text = format!(
         "format = 1\n[axis]\nname = \"noise\"\n{mechanism}\n[[motion]]\nlaw = \"recorded\"\nfile = \"r.csv\"\n\
          units = {{ time = \"s\", position = \"rad\" }}\n[requirements]\nsupply = \"560 V\"\n{requirements}\n"

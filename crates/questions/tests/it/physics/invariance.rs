@@ -2,7 +2,7 @@
 
 use crate::physics::{checks, read};
 use quantities::Language;
-use sizing::{Check, Checked};
+use sizing::{Check, Checks};
 use testkit::projects::{Drawn, Draws, LAWS, mechanisms, moved};
 
 const CODE: &str = "CHA-32A-100-H-C1024";
@@ -23,7 +23,7 @@ fn cycle(drawn: &Drawn, draws: &mut Draws) -> Vec<String> {
 }
 
 /// Every check has the same value, limit, verdict and utilisation.
-fn same(a: &[Checked], b: &[Checked], about: &str) {
+fn same(a: &Checks, b: &Checks, about: &str) {
     assert_eq!(a.len(), b.len(), "{about}");
     let close = |a: f64, b: f64| a == b || (a - b).abs() <= 1e-8 * a.abs().max(b.abs()) + 1e-12;
     for (a, b) in a.iter().zip(b) {

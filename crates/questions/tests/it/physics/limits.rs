@@ -73,7 +73,7 @@ fn a_datum_is_kept_up_to_rounding() {
     ] {
         let of = |limit: f64| {
             let checks = own(&format!("{key} = \"{limit} {unit}\"\n"));
-            checks.into_iter().find(|check| check.id == id).unwrap_or_else(|| panic!("{id:?}"))
+            checks.iter().find(|check| check.id == id).cloned().unwrap_or_else(|| panic!("{id:?}"))
         };
         let value = of(1e4).value.unwrap_or_else(|| panic!("{id:?}")).si;
         for share in [1.0, 1.0 + 1e-12, 1.0 - 1e-12, 1.0 + 1e-6] {
@@ -101,7 +101,7 @@ fn sixteen_digits_of_a_limit_fit() {
         each.judgement.checks.iter().find(|check| check.id == CheckId::PeakSpeed).cloned()
     };
     let at_it =
-        |check: &sizing::Checked| check.limit.is_some_and(|limit| (limit.si - 1.963_495_408_493_620_7).abs() < 1e-9);
+        |check: &sizing::Check| check.limit.is_some_and(|limit| (limit.si - 1.963_495_408_493_620_7).abs() < 1e-9);
     let all: Vec<_> = size(&project).candidates.iter().filter_map(speed).filter(at_it).collect();
     assert!(!all.is_empty() && all.iter().all(|check| check.verdict == Verdict::Pass), "{all:?}");
 }

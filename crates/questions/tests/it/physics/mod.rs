@@ -11,17 +11,17 @@ mod rope;
 
 use axis::AxisProject;
 use questions::{CheckId, check};
-use sizing::Checked;
+use sizing::{Check, Checks};
 
 fn read(text: &str) -> AxisProject {
     questions::read(text).unwrap_or_else(|faults| panic!("{faults:?}\n{text}"))
 }
 
-fn checks(project: &AxisProject, code: &str) -> Vec<Checked> {
+fn checks(project: &AxisProject, code: &str) -> Checks {
     let code = order_code::parse(code).unwrap().code;
     check(project, &code).unwrap().judgement.checks
 }
 
-fn of(project: &AxisProject, code: &str, id: CheckId) -> Checked {
-    checks(project, code).into_iter().find(|check| check.id == id).unwrap_or_else(|| panic!("{id:?} is not made"))
+fn of(project: &AxisProject, code: &str, id: CheckId) -> Check {
+    checks(project, code).iter().find(|check| check.id == id).cloned().unwrap_or_else(|| panic!("{id:?} is not made"))
 }
