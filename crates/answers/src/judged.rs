@@ -166,8 +166,8 @@ pub struct Sizing {
     /// Actuators that do not fit, by smallest excess.
     pub rejected: Vec<Rejection>,
     /// Ordering code with the smallest excess among those that do not fit but meet every requirement and are of the
-    /// right class of voltage and place; where none fits and each is excluded in this way, the one that misses the fewest
-    /// requirements and limits. `null` if there is none.
+    /// right class of voltage and place; where none fits, the one with the smallest excess that meets every requirement;
+    /// where none does, the one that misses the fewest requirements and limits. `null` if there is none.
     pub nearest_miss: Option<String>,
     /// Project's own actuator.
     pub own: Option<Assessed>,

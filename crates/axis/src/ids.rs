@@ -69,6 +69,7 @@ pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
         Fault::UnitMissing { .. } => "recording_unit_missing",
         Fault::UnitUnknown { .. } => "recording_unit_unknown",
         Fault::UnitWrong { .. } => "recording_unit_wrong",
+        Fault::UnitScaled { .. } => "recording_unit_scaled",
         Fault::UnitContradiction { .. } => "recording_unit_contradiction",
         Fault::CourseMixed { .. } => "recording_course_mixed",
         Fault::WindowReversed { .. } => "recording_window_reversed",

@@ -11,7 +11,7 @@ use quantities::{Language, seen};
 use questions::list::Unanswered;
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
-use value::{FACTORS, Fault, NAMED_KEYS_MOST, with_point};
+use value::{FACTORS, Fault, NAMED_KEYS_MOST, thousands, with_point};
 use words::{Usage, UsageHint, sweeps, terminal, unpadded, usage_hint, usage_text};
 
 /// Quantities that a call may scale.
@@ -19,6 +19,9 @@ pub(crate) const SCALED: [&str; 4] = ["load", "payload", "time", "distance"];
 
 /// Largest number of characters of a change in the name of the project.
 const NAMED_MOST: usize = 120;
+
+/// Largest number of values that a scaling lists.
+const CHANGES_MOST: usize = 6;
 
 /// Largest number of characters of the changes in a file name.
 #[cfg(feature = "report")]
@@ -47,6 +50,7 @@ pub(crate) fn changed(text: &str, matches: &ArgMatches, language: Language) -> R
     }
     let Some(prefix) = prefix(text, matches.try_get_one::<String>("axis").ok().flatten()) else { return Ok(None) };
     let (mut changed, mut faults) = (Changed { text: text.to_owned(), made: Vec::new() }, Vec::new());
+    let mut keys_set = Vec::new();
     let of = |change: &String| change.split_once('=').map_or_else(String::new, |(key, _)| key.trim().to_owned());
     let further: Vec<String> = sets.iter().map(of).collect();
     // What fills the cycle follows from the moves.
@@ -64,6 +68,11 @@ pub(crate) fn changed(text: &str, matches: &ArgMatches, language: Language) -> R
         };
         match made {
             Ok((text, made)) => {
+                if let Some(key) = twice(&mut keys_set, option, change, &made) {
+                    let usage = Usage::Twice { name: format!("--{option} {key}") };
+                    faults.push(Unanswered::option(option, (usage_text(&usage, language), None)));
+                    continue;
+                }
                 changed.text = text;
                 changed.made.push(made);
             }
@@ -71,6 +80,17 @@ pub(crate) fn changed(text: &str, matches: &ArgMatches, language: Language) -> R
         }
     }
     if faults.is_empty() { Ok(Some(changed)) } else { Err(Unanswered::combined(faults)) }
+}
+
+/// Returns the key or the quantity of a change if an earlier change of the call has it already: of two values one would be lost.
+fn twice(earlier: &mut Vec<String>, option: &str, change: &str, made: &str) -> Option<String> {
+    let key = match option {
+        "set" => made.split(' ').next().unwrap_or_default(),
+        _ => change.split('=').next().unwrap_or_default().trim(),
+    };
+    let is_known = earlier.iter().any(|known| known == key);
+    earlier.push(key.to_owned());
+    is_known.then(|| key.to_owned())
 }
 
 /// Returns a change without the quotes around its value: those of a project file, also as word processors write them.
@@ -178,6 +198,11 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
     let before = stated(&path).unwrap_or("–").to_owned();
     let is_truth = key_at(&path).is_some_and(|key| matches!(key.kind, Kind::Bool));
     let value = truth(value).filter(|_| is_truth).unwrap_or(value);
+    if let Some([whole, decimal]) = thousands(&path, value, language) {
+        let calls = [whole, decimal].map(|value| typed(["--set", &format!("{path}={value}")])).to_vec();
+        let hint = usage_hint(&UsageHint::Calls(calls), language);
+        return Err((terminal::set_thousands(&path, &seen(value), language), Some(hint)));
+    }
     let value = &*with_point(&path, value);
     let lacking = with_units(&all, ("", &path), value);
     if !lacking.is_empty() {
@@ -336,8 +361,29 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
         _ => further(number),
     };
     let done = done.filter(|done| done != text || number == 1.0);
-    let said = || format!("{} × {}", words::spoken::scaled_name(what, language), unpadded(number, 9, language));
-    done.map(|done| (done, said())).ok_or_else(|| (terminal::scale_not_possible(&what, language), None))
+    let said = |done: &str| {
+        let scaled = format!("{} × {}", words::spoken::scaled_name(what, language), unpadded(number, 9, language));
+        match what {
+            "load" | "payload" => format!("{scaled}: {}", values_changed(&all, done)),
+            _ => scaled,
+        }
+    };
+    done.map(|done| (said(&done), done))
+        .map(|(said, done)| (done, said))
+        .ok_or_else(|| (terminal::scale_not_possible(&what, language), None))
+}
+
+/// Returns the values that differ from those of a project, each with its key: `mechanism.screw.mass 80 kg → 92 kg`.
+fn values_changed(before: &[Written], after: &str) -> String {
+    let after = written(after).unwrap_or_default();
+    let was = |path: &str| before.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
+    let all = after.iter().filter_map(|each| {
+        let (old, new) = (was(&each.path), each.value.as_deref()?);
+        (old != Some(new)).then(|| format!("{} {} → {new}", each.path, old.unwrap_or("–")))
+    });
+    let all: Vec<String> = all.collect();
+    let shown = all.iter().take(CHANGES_MOST).map(String::as_str).collect::<Vec<_>>().join(", ");
+    if all.len() > CHANGES_MOST { format!("{shown}, …") } else { shown }
 }
 
 fn is_segment(path: &str) -> bool {

@@ -70,12 +70,16 @@ impl<'p> Sizing<'p> {
 
     /// Returns the rejected candidate with the smallest excess, among those that meet the requirements of the project
     /// and are of the right class: an actuator for another voltage or temperature range is no alternative. Where none
-    /// fits and each is excluded in this way, the one that misses the fewest requirements and limits.
+    /// fits and each is excluded in this way, the one with the smallest excess that meets the requirements; where a
+    /// requirement excludes each, the one that misses the fewest requirements and limits.
     #[must_use]
     pub fn nearest_miss(&self) -> Option<&Candidate<'p>> {
-        let fewest = || self.rejected().iter().min_by_key(|candidate| misses(candidate));
         let near = self.rejected().iter().find(|candidate| may_be_near(candidate));
-        near.or_else(|| fewest().filter(|_| self.fitting == 0))
+        let excluded = || {
+            let permitted = self.rejected().iter().find(|candidate| candidate.objections.is_empty());
+            permitted.or_else(|| self.rejected().iter().min_by_key(|candidate| misses(candidate)))
+        };
+        near.or_else(|| excluded().filter(|_| self.fitting == 0))
     }
 
     /// Returns the best candidate, if one fits.

@@ -371,7 +371,12 @@ pub(crate) fn decide(
                 let known = role.dimensions().iter().find_map(|dimension| Unit::of_dimension(*dimension, &text));
                 match known.or_else(|| Unit::of(&text)) {
                     Some(unit) => unit,
-                    None if is_stated => continue,
+                    None if is_stated && !is_scaled(&text) => continue,
+                    None if is_stated => {
+                        faults.push(Fault::UnitScaled { column: column.clone(), text: excerpt(&text) });
+                        sound = false;
+                        continue;
+                    }
                     None => {
                         let nearest = nearest_unit(role, &text);
                         let (column, text) = (column.clone(), excerpt(&text));
@@ -410,6 +415,21 @@ pub(crate) fn decide(
         }
         _ => None,
     }
+}
+
+/// Returns `true` if a text has a factor beside a unit, or is a share: `0.001 deg`, `Nm/10`, `% rated`. A unit that is stated
+/// elsewhere does not say the factor.
+fn is_scaled(text: &str) -> bool {
+    let is_unit = |text: &str| Unit::of(text.trim()).is_some();
+    let of_number = |sign: char| sign.is_ascii_digit() || "+-.,eE/^*·× ".contains(sign);
+    let (factor, unit) = text.split_at(text.find(|sign| !of_number(sign)).unwrap_or(text.len()));
+    // `1/s` is a unit, though none that is known.
+    let is_factor = factor.contains(|sign: char| sign.is_ascii_digit()) && factor.trim() != "1/";
+    let is_number = |text: &str| text.trim().replace(',', ".").parse::<f64>().is_ok();
+    let behind = text.split_once(['*', '/', '·', '×']);
+    text.contains(['%', '‰'])
+        || is_factor && is_unit(unit)
+        || behind.is_some_and(|(unit, factor)| is_unit(unit) && is_number(factor))
 }
 
 /// Returns the unit of a role that was probably meant; `None` if units of two dimensions are possible.

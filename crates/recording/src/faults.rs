@@ -275,6 +275,14 @@ pub enum Fault {
         /// Origin of the unit.
         by: KnownBy,
     },
+    /// A heading states a factor beside a unit, or a share, and the unit is stated elsewhere.
+    #[error("\"{column}\" states \"{text}\", which is more than a unit")]
+    UnitScaled {
+        /// Name of the column.
+        column: String,
+        /// Text in place of the unit.
+        text: String,
+    },
     /// Two statements of a unit differ.
     #[error("\"{column}\" is said to be in \"{}\" and in \"{}\"", units[0].ascii, units[1].ascii)]
     UnitContradiction {

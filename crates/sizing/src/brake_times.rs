@@ -2,7 +2,7 @@
 //! the brake.
 
 use crate::axis::Axis;
-use motion::{Hold, Motion};
+use motion::{Hold, Motion, Stretch};
 use quantities::{Measure, Ratio, Time};
 use trace::Carried;
 
@@ -15,44 +15,72 @@ pub struct BrakeTimes {
     pub opening: Time,
 }
 
-/// Returns the times at the beginning and at the end of a dwell in which the motor holds the load although the brake is
-/// to hold it.
+/// A segment of a rest that the brake holds: of consecutive dwells, over which it stays closed, also across the end of the
+/// cycle.
+#[derive(Clone, Copy, Debug)]
+struct Held {
+    /// Time from the beginning of the segment in which the motor holds the load \[s\].
+    first_s: f64,
+    /// Time to the end of the segment in which the motor holds the load \[s\].
+    last_s: f64,
+    /// Duration of the rest \[s\].
+    rest_s: f64,
+    /// The rest begins with this segment.
+    is_first: bool,
+}
+
+/// Returns the segments that the brake holds, with the times in which the motor holds the load nevertheless; `None` for the
+/// others.
 ///
-/// t_c at the beginning, until the brake has closed, and t_o at the end, while it opens; the whole dwell if it is
-/// shorter than both. If the brake also holds the segment before or after, it stays closed between them.
+/// 0 … t_c of a rest, until the brake has closed, and t_r − t_o … t_r, while it opens; the whole rest if
+/// t_r ≤ t_c + t_o. How a rest is divided into segments is of no effect.
 ///
 /// # Source
 /// docs/theory/brake.md
-fn held_by_the_motor(motion: &Motion, segment: usize, times: &BrakeTimes) -> (f64, f64) {
+fn held(motion: &Motion, times: &BrakeTimes) -> Vec<Option<Held>> {
     let stretches = motion.stretches();
+    let (closing, opening) = (times.closing.si(), times.opening.si());
+    let count = stretches.len();
     let is_held = |index: usize| stretches.get(index).is_some_and(|stretch| stretch.hold == Hold::Brake);
-    let last = stretches.len().saturating_sub(1);
-    // The cycle repeats: its first segment follows its last.
-    let before = segment.checked_sub(1).unwrap_or(last);
-    let after = if segment == last { 0 } else { segment + 1 };
-    let alone = |neighbour: usize| neighbour == segment || !is_held(neighbour);
-    let duration = stretches.get(segment).map_or(0.0, |stretch| stretch.duration.si());
-    let closing = if alone(before) { times.closing.si() } else { 0.0 };
-    let opening = if alone(after) { times.opening.si() } else { 0.0 };
-    if closing + opening >= duration { (duration, 0.0) } else { (closing, opening) }
+    let duration = |index: usize| stretches.get(index).map_or(0.0, |stretch| stretch.duration.si());
+    let mut found = vec![None; count];
+    // The cycle repeats: a rest at its end goes on at its beginning. One that lasts the whole cycle begins with it.
+    let begin = (0..count).find(|index| !is_held(*index)).unwrap_or(0);
+    let mut at = begin;
+    while at < begin + count {
+        let rest: Vec<usize> =
+            (at..begin + count).map(|index| index % count).take_while(|index| is_held(*index)).collect();
+        let rest_s: f64 = rest.iter().map(|index| duration(*index)).sum();
+        let is_short = closing + opening >= rest_s;
+        let mut before_s = 0.0;
+        for index in &rest {
+            let own_s = duration(*index);
+            let after_s = rest_s - before_s - own_s;
+            let first_s = if is_short { own_s } else { (closing - before_s).clamp(0.0, own_s) };
+            let last_s = if is_short { 0.0 } else { (opening - after_s).clamp(0.0, own_s - first_s) };
+            if let Some(place) = found.get_mut(*index) {
+                *place =
+                    Some(Held { first_s, last_s, rest_s, is_first: before_s == 0.0 && rest.first() == Some(index) });
+            }
+            before_s += own_s;
+        }
+        at += rest.len().max(1);
+    }
+    found
 }
 
-/// Returns the holding times of the motor in each segment at rest.
-pub(crate) fn carried(motion: &Motion, times: Option<&BrakeTimes>) -> Vec<Carried> {
-    (0..motion.stretches().len()).map(|segment| carried_in(motion, segment, times)).collect()
-}
-
-/// Returns the holding times of the motor in a segment at rest: until the brake has closed and while it opens; the
+/// Returns the holding times of the motor in each segment at rest: until the brake has closed and while it opens; the
 /// whole segment without a brake.
-pub(crate) fn carried_in(motion: &Motion, segment: usize, times: Option<&BrakeTimes>) -> Carried {
-    match (motion.stretches().get(segment).map_or(Hold::Motor, |stretch| stretch.hold), times) {
-        (Hold::Brake, Some(times)) => {
-            let (closing, opening) = held_by_the_motor(motion, segment, times);
-            Carried::AtItsEnds { first: Time::from_si(closing), last: Time::from_si(opening) }
+pub(crate) fn carried(motion: &Motion, times: Option<&BrakeTimes>) -> Vec<Carried> {
+    let held = times.map(|times| held(motion, times)).unwrap_or_default();
+    let of = |(index, stretch): (usize, &Stretch)| match (stretch.hold, held.get(index).copied().flatten()) {
+        (Hold::Brake, Some(Held { first_s, last_s, .. })) => {
+            Carried::AtItsEnds { first: Time::from_si(first_s), last: Time::from_si(last_s) }
         }
         (Hold::Motor | Hold::Brake, _) => Carried::Throughout,
         (Hold::Free, _) => Carried::Never,
-    }
+    };
+    motion.stretches().iter().enumerate().map(of).collect()
 }
 
 /// Duty of the brake in a cycle.
@@ -60,46 +88,38 @@ pub(crate) fn carried_in(motion: &Motion, segment: usize, times: Option<&BrakeTi
 pub(crate) struct Brakings {
     /// Number of times that the brake closes in one cycle.
     pub(crate) each_cycle: f64,
-    /// Shortest dwell that is too short for the brake to close and to open again.
+    /// Shortest rest that is too short for the brake to close and to open again.
     pub(crate) too_short: Option<Time>,
 }
 
-/// Counts the brakings: the brake closes once in each sequence of dwells that it holds, unless they are too short.
+/// Returns the durations of the rests that the brake holds \[s\].
+fn rests(motion: &Motion, times: &BrakeTimes) -> Vec<f64> {
+    held(motion, times).into_iter().flatten().filter(|held| held.is_first).map(|held| held.rest_s).collect()
+}
+
+/// Counts the brakings: the brake closes once in each rest that it holds. One that is switched off counts, independent of
+/// how soon it is switched on again.
 pub(crate) fn brakings(axis: &Axis) -> Brakings {
-    let stretches = axis.motion.stretches();
-    let mut found = Brakings { each_cycle: 0.0, too_short: None };
-    let Some(times) = &axis.brake_times else { return found };
-    for (index, stretch) in stretches.iter().enumerate().filter(|(_, stretch)| stretch.hold == Hold::Brake) {
-        let (closing, opening) = held_by_the_motor(&axis.motion, index, times);
-        if closing + opening >= stretch.duration.si() {
-            let shorter = found.too_short.is_none_or(|shortest| stretch.duration.si() < shortest.si());
-            found.too_short = if shorter { Some(stretch.duration) } else { found.too_short };
-        }
-        // A brake that is switched off counts, independent of how soon it is switched on again.
-        if closing > 0.0 {
-            found.each_cycle += 1.0;
-        }
-    }
-    found
+    let Some(times) = &axis.brake_times else { return Brakings { each_cycle: 0.0, too_short: None } };
+    let rests = rests(&axis.motion, times);
+    let short = rests.iter().copied().filter(|rest| times.closing.si() + times.opening.si() >= *rest);
+    #[allow(clippy::cast_precision_loss, reason = "far fewer than 2⁵³ segments")]
+    let each_cycle = rests.len() as f64;
+    Brakings { each_cycle, too_short: short.min_by(f64::total_cmp).map(Time::from_si) }
 }
 
 impl Axis {
     /// Returns the share of the cycle in which the brake is kept open and its coil draws current.
     ///
-    /// s = 1 − Σ (t_d − t_o)/t_0 over the dwells t_d that the brake holds: the coil is without current from the beginning
-    /// of such a dwell until the brake begins to open
+    /// s = 1 − Σ (t_r − t_o)/t_0 over the rests t_r that the brake holds: the coil is without current from the beginning
+    /// of such a rest until the brake begins to open
     #[must_use]
     pub fn brake_open_share(&self) -> Ratio {
         let Some(times) = &self.brake_times else { return Ratio::from_si(1.0) };
-        let stretches = self.motion.stretches().iter().enumerate();
-        let closed: f64 = stretches
-            .filter(|(_, stretch)| stretch.hold == Hold::Brake)
-            .map(|(index, stretch)| match held_by_the_motor(&self.motion, index, times) {
-                // The dwell is too short to close the brake: the coil stays on.
-                (closing, opening) if closing + opening >= stretch.duration.si() => 0.0,
-                (_, opening) => stretch.duration.si() - opening,
-            })
-            .sum();
+        let (closing, opening) = (times.closing.si(), times.opening.si());
+        // In a rest that is too short to close the brake, the coil stays on.
+        let without_current = |rest: f64| if closing + opening >= rest { 0.0 } else { rest - opening };
+        let closed: f64 = rests(&self.motion, times).into_iter().map(without_current).sum();
         Ratio::from_si((1.0 - closed / self.moments().duration.si()).clamp(0.0, 1.0))
     }
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::brake_times::brakings;
 use crate::judge::{Scope, judge};
 use crate::notes::Note;
 use crate::{Supply, SupplyFrom};
@@ -292,4 +293,50 @@ fn without_torque_the_gear_has_no_life_to_tell() {
     own.gear = gear;
     let found = check(&Axis::new(load, motion, Vec::new()), &own, CheckId::GearLife);
     assert_eq!((found.verdict, found.missing), (Verdict::NotChecked, Some("gear_load")));
+}
+
+/// The list is sorted by stage, and the results of an actuator, some of which others share, are in its order.
+#[test]
+fn results_are_in_the_order_of_the_list() {
+    assert!(CheckId::ALL.is_sorted_by_key(|id| id.stage()));
+    let found = judge(&axis(&[swing(10.0), dwell(1.0, Hold::Motor)]), &actuator(), Scope::All).checks;
+    let ids: Vec<CheckId> = found.iter().map(|check| check.id).collect();
+    assert!(ids.is_sorted_by(|a, b| a < b) && ids.len() == found.len(), "{ids:?}");
+    assert!(CheckId::ALL.iter().all(|id| found.of(*id).is_some() == ids.contains(id)));
+    assert!(ids.contains(&CheckId::PeakSpeed) && ids.contains(&CheckId::PeakTorque), "{ids:?}");
+}
+
+/// A rest that the brake holds may be divided into any dwells, also across the end of the cycle: T_rms, the number of brakings and the
+/// time in which the coil draws current are those of one dwell.
+#[test]
+fn dividing_a_rest_that_the_brake_holds_changes_nothing() {
+    let of = |parts: &[f64], at_end: &[f64]| {
+        let mut segments: Vec<SegmentSpec> = parts.iter().map(|time| dwell(*time, Hold::Brake)).collect();
+        segments.extend([swing(10.0), swing(-10.0)]);
+        segments.extend(at_end.iter().map(|time| dwell(*time, Hold::Brake)));
+        let axis = axis(&segments);
+        let rms = axis.demand(MomentOfInertia::from_si(2.0)).torque_rms.si();
+        [rms, brakings(&axis).each_cycle, axis.brake_open_share().si()]
+    };
+    // t_c = 70 ms, t_o = 110 ms: rests that are longer, equal and shorter.
+    for whole in [0.4, 0.18, 0.1] {
+        let expected = of(&[whole], &[]);
+        let tenths = [0.1 * whole; 10];
+        let divided: [(&[f64], &[f64]); 5] = [
+            (&[0.15 * whole, 0.85 * whole], &[]),
+            (&[0.85 * whole, 0.15 * whole], &[]),
+            (&tenths, &[]),
+            (&[0.3 * whole], &[0.7 * whole]),
+            (&[0.05 * whole, 0.05 * whole], &[0.1 * whole, 0.8 * whole]),
+        ];
+        for (parts, at_end) in divided {
+            let found = of(parts, at_end);
+            for (one, other) in found.iter().zip(&expected) {
+                assert!(
+                    (one - other).abs() < 1e-12 * other.max(1.0),
+                    "{whole} {parts:?} {at_end:?}: {found:?} {expected:?}"
+                );
+            }
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! The cycle as time series for pictures and tables; the checks use the trace instead.
 
 use crate::axis::Axis;
-use crate::brake_times::carried_in;
+use crate::brake_times::carried;
 use crate::currents::{Currents, coil_loss};
 use crate::electrics::Electrics;
 use crate::energy::CyclePower;
@@ -274,6 +274,7 @@ pub(crate) fn instants(axis: &Axis, (parts, group): Fineness<'_>, look: &mut imp
             }
         }
     };
+    let carried = carried(&axis.motion, axis.brake_times.as_ref());
     for piece in axis.motion.pieces() {
         while let Some(placed) = recordings.next_if(|placed| placed.start_s < piece.start_s) {
             recorded(placed, look);
@@ -283,8 +284,7 @@ pub(crate) fn instants(axis: &Axis, (parts, group): Fineness<'_>, look: &mut imp
         let mut instants: Vec<f64> =
             (0..=parts).map(|part| piece.duration_s * f64::from(part) / f64::from(parts)).collect();
         instants.extend(piece.reversals().into_iter().flat_map(|t| [t, t]));
-        let (closing, opens) =
-            carried_in(&axis.motion, piece.segment, axis.brake_times.as_ref()).ends(piece.duration_s);
+        let (closing, opens) = carried.get(piece.segment).map_or((0.0, 0.0), |own| own.ends(piece.duration_s));
         if rests {
             let inside = |t: &f64| *t > 0.0 && *t < piece.duration_s;
             instants.extend([closing, opens].into_iter().filter(inside).flat_map(|t| [t, t]));

@@ -246,14 +246,24 @@ impl<'a> Judge<'a> {
             bearing: bearing.as_ref(),
             only_failing: false,
         };
-        let mut answer = |id: CheckId, case: &Case<'_>| {
-            let mut check = answered(id, case, explain)?;
-            naming(&mut check, governing);
-            Some(check)
+        // Adds the result of a check, if it applies, and returns `true` if it fails.
+        let mut add = |id: CheckId, case: &Case<'_>, made: &mut Vec<Check>| {
+            let place = made.len();
+            made.extend(answered(id, case, explain));
+            made.get_mut(place).is_some_and(|check| {
+                naming(check, governing);
+                check.verdict == Verdict::Fail
+            })
         };
-        let mut answers = |ids: &[CheckId]| ids.iter().filter_map(|id| answer(*id, &case)).collect();
-        let of_drivetrain = shared.of_drivetrain.get_or_insert_with(|| answers(&checks.of_drivetrain));
-        let of_bearing = shared.of_bearing.get_or_insert_with(|| answers(&checks.of_bearing));
+        let mut all = |ids: &[CheckId]| {
+            let mut made = Vec::with_capacity(ids.len());
+            for id in ids {
+                add(*id, &case, &mut made);
+            }
+            Arc::from(made)
+        };
+        let of_drivetrain = shared.of_drivetrain.get_or_insert_with(|| all(&checks.of_drivetrain));
+        let of_bearing = shared.of_bearing.get_or_insert_with(|| all(&checks.of_bearing));
 
         let mut made = Checks::sharing([Arc::clone(of_drivetrain), Arc::clone(of_bearing)], checks.own.len());
         let mut is_rejected = any_fails(&made);
@@ -265,9 +275,7 @@ impl<'a> Judge<'a> {
                 continue;
             }
             case.only_failing = depth == Depth::Failing && is_rejected;
-            let Some(check) = answer(id, &case) else { continue };
-            is_rejected |= check.verdict == Verdict::Fail;
-            made.push(check);
+            is_rejected |= add(id, &case, made.own());
         }
         Judgement { demand, manual, checks: made }
     }

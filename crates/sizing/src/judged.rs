@@ -19,9 +19,9 @@ impl Checks {
         Self { own: Vec::with_capacity(capacity), shared }
     }
 
-    /// Adds a result of the actuator alone; they are added in their order.
-    pub(crate) fn push(&mut self, check: Check) {
-        self.own.push(check);
+    /// Returns the results of the actuator alone, to which others are added in their order.
+    pub(crate) const fn own(&mut self) -> &mut Vec<Check> {
+        &mut self.own
     }
 
     /// Returns an iterator over the results in their order.

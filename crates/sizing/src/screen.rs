@@ -331,7 +331,7 @@ impl Row<'_> {
     }
 
     /// Returns the group with the smallest excess among those that do not fit: without those that the place of
-    /// installation excludes, or `elsewhere` these alone, with the check that excludes them.
+    /// installation excludes, or `elsewhere` these alone.
     fn miss(&self, open: &[Open], bounds: &[Bounds], elsewhere: bool) -> Option<Ranked> {
         let key = |group: &Group, utilisation: f64, failing: usize, mass_kg: f64| {
             let fit = Fit::DoesNotFit;
@@ -350,19 +350,15 @@ impl Row<'_> {
             }
             // The bound is below every failing check, so every check is made.
             let judgement = judge(self.axis, &group.representative, Scope::Deciding);
-            let excludes = |check: &&Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
-            let excluding =
-                judgement.checks.iter().filter(excludes).max_by(|a, b| a.severity().total_cmp(&b.severity()));
-            if excluding.is_some() != elsewhere {
+            let excludes = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
+            if judgement.checks.iter().any(excludes) != elsewhere {
                 continue;
             }
             let utilisation = judgement.utilisation();
             let Some(member) = self.lightest(group) else { continue };
             let key = key(group, utilisation, judgement.failing(), member.mass_kg);
             if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
-                let named = excluding.or_else(|| judgement.worst_failure());
-                let utilisation = named.map_or(utilisation, Check::severity);
-                let tightest = named.map(|check| check.id);
+                let tightest = judgement.worst_failure().map(|check| check.id);
                 best = Some((key, member.entrant, Ranked { entrant: member.entrant, utilisation, tightest }));
                 candidates.retain(|(least, _)| *least <= key);
             }

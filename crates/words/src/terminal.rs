@@ -166,6 +166,9 @@ texts! {
     still_missing(faults) =
         "still to be stated before a calculation: {faults}"
         | "vor einer Berechnung noch anzugeben: {faults}";
+    set_thousands(key, written) =
+        "{key}: \"{written}\" is ambiguous, with a thousands separator or a decimal separator"
+        | "{key}: „{written}“ ist mehrdeutig, mit Tausender- oder Dezimaltrennzeichen";
     set_which(key, one, other) = "{key} is ambiguous: {one} or {other}" | "{key} ist mehrdeutig: {one} oder {other}";
     set_which_axis(example) = "the project has several axes: --axis NAME, or {example}" | "das Projekt hat mehrere Achsen: --axis NAME, oder {example}";
     set_unit(key) = "`{key}`: the value has no unit" | "`{key}`: der Wert hat keine Einheit";

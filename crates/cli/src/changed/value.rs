@@ -2,6 +2,7 @@
 
 use crate::command::typed::number_and_unit;
 use project::{Kind, key_at};
+use quantities::Language;
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
@@ -24,4 +25,18 @@ pub(super) fn with_point<'v>(path: &str, value: &'v str) -> Cow<'v, str> {
         }
         _ => Cow::Borrowed(value),
     }
+}
+
+/// Returns both values that a quantity with a point before three digits may have in a language with a decimal comma, without and
+/// with a decimal point: `1.000 kg` is 1000 kg or 1.0000 kg.
+pub(super) fn thousands(path: &str, value: &str, language: Language) -> Option<[String; 2]> {
+    let is_measured = key_at(path).is_some_and(|key| matches!(key.kind, Kind::Quantity(..) | Kind::Along(..)));
+    let (number, unit) = number_and_unit(value);
+    let (whole, rest) = number.split_once('.').filter(|_| is_measured && language.decimal_mark() == ',')?;
+    let digits = whole.trim_start_matches(['+', '-']);
+    let is_whole = (1..=3).contains(&digits.len()) && !digits.starts_with('0');
+    let is_group = rest.len() == 3 && rest.bytes().all(|sign| sign.is_ascii_digit());
+    let with_unit = |number: String| format!("{number} {unit}").trim().to_owned();
+    (is_whole && is_group && digits.bytes().all(|sign| sign.is_ascii_digit()))
+        .then(|| [with_unit(format!("{whole}{rest}")), with_unit(format!("{number}0"))])
 }

@@ -16,9 +16,9 @@ pub(crate) fn nothing(command: Command, _: Language) -> Command {
     command
 }
 
-/// Adds the fields of the title page of the report of the best actuator.
+/// Adds the fields of the title page of the report of the best actuator, which nothing else contains.
 pub(crate) fn size(command: Command, language: Language) -> Command {
-    command.args(report::TITLE_PAGE.map(|field| argument::of(&field, language)))
+    command.args(report::TITLE_PAGE.map(|field| argument::of(&field, language).requires("report")))
 }
 
 /// Adds the date of delivery from which the maintenance follows.

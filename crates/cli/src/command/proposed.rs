@@ -12,6 +12,7 @@ use crate::changed::{factor, keys, with_units};
 use clap::{Arg, Command};
 use project::{Hint, Written, nearest_name, written};
 use questions::list::new::template_kinds;
+use questions::list::report::TITLE_PAGE;
 use questions::list::{Argument, Entry, LIST};
 use std::ffi::OsString;
 use std::path::Path;
@@ -67,6 +68,16 @@ fn is_file(name: &str) -> bool {
 /// Names of the table of rows and of its answers in an example.
 const TABLE: &str = "tasks.csv";
 const ANSWERS: &str = "best.csv";
+
+/// Returns `true` if an option may be proposed for an unknown one. A field of the title page takes any text, so that a figure
+/// would be lost in it: its name must begin alike.
+pub(super) fn may_mean(name: &str, option: &str) -> bool {
+    /// Letters that both names must share.
+    const ALIKE: usize = 3;
+    let [name, option] = [name, option].map(|text| text.trim_start_matches('-'));
+    let shared = name.chars().zip(option.chars()).take_while(|(one, other)| one == other).count();
+    shared >= ALIKE || !TITLE_PAGE.iter().any(|field| field.name == option)
+}
 
 impl Called<'_> {
     pub(super) fn has(&self, name: &str) -> bool {
@@ -158,8 +169,8 @@ impl Called<'_> {
 
     /// Returns the option with the most similar name.
     pub(super) fn near_option(&self, word: &str) -> Option<String> {
-        let names: Vec<&str> = self.options().filter_map(Arg::get_long).collect();
         let name = word.trim_start_matches('-').split('=').next().unwrap_or_default();
+        let names: Vec<&str> = self.options().filter_map(Arg::get_long).filter(|long| may_mean(name, long)).collect();
         match nearest_name(name, &names) {
             Hint::DidYouMean(name) => Some(format!("--{name}")),
             _ => None,

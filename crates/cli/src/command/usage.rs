@@ -3,6 +3,7 @@
 use super::example::{filled, simulated_run};
 use super::folder::projects_in;
 use super::meant::{Called, Stray};
+use super::proposed::may_mean;
 use super::spoken::option_meant;
 use super::typed::typed;
 use crate::answer::{CommandAnswer, written};
@@ -73,7 +74,7 @@ fn refusal(error: &clap::Error, (command, arguments): (&Command, &[OsString]), l
     let meant = unknown.as_deref().and_then(|word| {
         let suggested = || {
             let is_same = context(error, ContextKind::InvalidArg).as_deref() == Some(word);
-            context(error, ContextKind::SuggestedArg).filter(|near| is_same && !near.is_empty())
+            context(error, ContextKind::SuggestedArg).filter(|near| is_same && !near.is_empty() && may_mean(word, near))
         };
         let near = || whole.as_ref()?.near_option(word);
         option_meant(word, called(command, arguments)).or_else(suggested).or_else(near)

@@ -203,14 +203,21 @@ impl Stated {
     }
 }
 
-/// Splits a list at its commas. In German these may be decimal signs: an even number of pieces without blanks is ambiguous.
+/// Splits a list at its commas, some of which may be decimal signs. Where a unit stands behind every second piece, the commas
+/// before these are; in German an even number of pieces without blanks is ambiguous.
 fn listed(key: &str, text: &str, language: Language) -> Result<Vec<String>, Fault> {
     let pieces: Vec<&str> = text.split(',').collect();
     let is_number = |piece: &&str| piece.starts_with(|sign: char| sign.is_ascii_digit()) && !piece.ends_with(' ');
-    let is_of_numbers = pieces.iter().skip(1).all(is_number) && pieces.len().is_multiple_of(2);
-    if has_decimal_commas(language) && is_of_numbers {
-        let pairs: Vec<String> = pieces.chunks(2).map(|pair| pair.join(",")).collect();
-        let options = [pieces.join(";"), pairs.join(";").replace(',', ".")].map(|values| change(key, &values));
+    let is_even = pieces.len().is_multiple_of(2) && pieces.iter().skip(1).all(is_number);
+    let has_unit = |piece: &&str| !number_and_unit(piece.trim()).1.is_empty();
+    let with_unit: Vec<bool> = pieces.iter().map(has_unit).collect();
+    let pairs = || pieces.chunks(2).map(|pair| pair.join(".")).collect::<Vec<String>>();
+    if is_even && pieces.len() > 2 && with_unit.chunks(2).all(|pair| pair == [false, true]) {
+        return Ok(pairs());
+    }
+    let is_list = with_unit.iter().filter(|has_unit| **has_unit).count() > 1;
+    if is_even && !is_list && has_decimal_commas(language) {
+        let options = [pieces.join(";"), pairs().join(";")].map(|values| change(key, &values));
         let hint = usage_hint(&UsageHint::Calls(options.to_vec()), language);
         return Err((sweeps::vary_commas(&seen(text), language), Some(hint)));
     }

@@ -262,3 +262,30 @@ fn wildcards_list_every_code_that_they_can_be() {
     }
     assert!(tried > 100 && further > 10, "{tried} {further}");
 }
+
+/// A figure that a call states is never lost: not to a second one for the same key, not in a text, not as another number.
+#[test]
+fn no_stated_figure_is_lost() {
+    let folder = folder();
+    for (written, part) in [
+        ("size disc.toml --mass 80kg --mass 90kg", "given twice"),
+        ("check disc.toml --set ambient=20degC --set ambient=30degC", "given twice"),
+        ("size disc.toml --load +15% --load +10%", "given twice"),
+        ("size disc.toml --lang de --mass 1.000kg", "mehrdeutig"),
+        ("size disc.toml --title Table", "--report"),
+    ] {
+        let refused = call(folder.path(), &format!("antrieb {written}"));
+        assert!(refused.code == 2 && refused.err.contains(part), "{written}\n{}", refused.err);
+    }
+    for written in ["size disc.toml --tilt 30deg", "report disc.toml --friktion 5", "size disc.toml --faster 10%"] {
+        let refused = call(folder.path(), &format!("antrieb {written}"));
+        let is_field = ["--title", "--revision", "--order", "--author", "--date", "--number", "--customer"];
+        let is_lost = is_field.iter().any(|field| refused.err.contains(field));
+        assert!(refused.code == 2 && !is_lost, "{written}\n{}", refused.err);
+    }
+    let scaled = call(folder.path(), "antrieb size disc.toml --load +15%");
+    let keys = ["load × 1.15: ", "mechanism.turntable.body[1].mass 30kg → 34.5 kg"];
+    assert!(keys.iter().all(|key| (scaled.out.clone() + &scaled.err).contains(key)), "{}", scaled.err);
+    let pairs = call(folder.path(), "antrieb sweep disc.toml --mass 2,5kg,3,5kg --json");
+    assert!(pairs.out.contains("\"2.5\"") && pairs.out.contains("\"3.5\""), "{}", pairs.err);
+}

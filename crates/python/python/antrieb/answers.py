@@ -42,8 +42,8 @@ class Sizing(Record):
     """Actuators that do not fit, by smallest excess."""
     nearest_miss: str | None = None
     """Ordering code with the smallest excess among those that do not fit but meet every requirement and are of the
-right class of voltage and place; where none fits and each is excluded in this way, the one that misses the fewest
-requirements and limits. `null` if there is none."""
+right class of voltage and place; where none fits, the one with the smallest excess that meets every requirement;
+where none does, the one that misses the fewest requirements and limits. `null` if there is none."""
     own: Assessed | None = None
     """Project's own actuator."""
     would_fit_with: Rows[WouldFit] | None = None
@@ -3868,7 +3868,7 @@ Fit = Literal["fits", "fits_if_estimate", "does_not_fit"]
 
 `does_not_fit`: A check fails, or a requirement is not met"""
 
-CheckId = Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "drive_current_peak", "drive_peak_time", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "altitude", "protection", "humidity", "humidity_min", "vibration", "shock", "mounting", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "collision_number", "resonance_speed", "error_budget", "deviation", "brake_holding", "brake_applications", "brake_emergency", "brake_stops", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"]
+CheckId = Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "altitude", "protection", "humidity", "humidity_min", "vibration", "shock", "mounting", "drive_current", "drive_current_peak", "drive_peak_time", "torque_speed_trace", "thermal", "overload_i2t", "regeneration", "gear_mean_input_speed", "collision_torque", "collision_number", "resonance_speed", "error_budget", "deviation", "brake_holding", "brake_applications", "brake_emergency", "brake_stops", "dc_link", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"]
 
 DemandMode = Literal["manual", "integral"]
 """Method by which the figures of a demand are computed.

@@ -33,13 +33,9 @@ fn sized(text: &str) -> Result<Best, String> {
     let finite = |utilisation: f64| utilisation.is_finite().then_some(utilisation);
     let [fit, fit_if_estimate] = sizing.counts().map(|count| u32::try_from(count).unwrap());
     let governing = |candidate: &crate::Candidate<'_>| candidate.governing().map(|check| check.id);
-    // Where the place or a requirement excludes each code, a row names the check of the place.
-    let is_excluded = |candidate: &&crate::Candidate<'_>| {
-        let of_the_place =
-            |check: &sizing::Check| check.verdict == sizing::Verdict::Fail && check.id.is_of_the_place();
-        !candidate.objections.is_empty() || candidate.judgement.checks.iter().any(of_the_place)
-    };
-    let found = match (sizing.answer(), sizing.nearest_miss().filter(|miss| !is_excluded(miss))) {
+    // Codes that a requirement excludes are judged in no row.
+    let is_permitted = |candidate: &&crate::Candidate<'_>| candidate.objections.is_empty();
+    let found = match (sizing.answer(), sizing.nearest_miss().filter(is_permitted)) {
         (Some(answer), _) => Best {
             fit,
             fit_if_estimate,
@@ -54,21 +50,7 @@ fn sized(text: &str) -> Result<Best, String> {
             utilisation: finite(miss.standing.utilisation),
             tightest: governing(miss),
         },
-        // The place of installation excludes each code that meets the requirements.
-        (None, None) => {
-            let excluded = sizing.rejected().iter().find(|candidate| candidate.objections.is_empty());
-            let of_the_place =
-                |check: &&sizing::Check| check.verdict == sizing::Verdict::Fail && check.id.is_of_the_place();
-            let checks = excluded.iter().flat_map(|candidate| &candidate.judgement.checks).filter(of_the_place);
-            let found = checks.max_by(|a, b| a.severity().total_cmp(&b.severity()));
-            Best {
-                fit,
-                fit_if_estimate,
-                code: None,
-                utilisation: found.and_then(|check| finite(check.severity())),
-                tightest: found.map(|check| check.id),
-            }
-        }
+        (None, None) => Best { fit, fit_if_estimate, code: None, utilisation: None, tightest: None },
     };
     Ok(found)
 }

@@ -120,13 +120,16 @@ fn code(candidate: &Candidate<'_>) -> order_code::OrderCode {
 /// The nearest miss by judging every rejected one in full.
 fn nearest(project: &AxisProject, sizing: &Sizing<'_>) -> Option<ProductId> {
     let of_the_place = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
-    let full = sizing.rejected().iter().filter_map(|each| check(project, &code(each)).ok());
-    let near = full
-        .filter(|each| each.objections.is_empty() && !each.judgement.checks.iter().any(|check| of_the_place(check)));
-    let near = near.min_by_key(|each| (RankKey::of(&each.standing), catalogue_place(each))).map(|each| each.id);
-    // Where each is excluded by a requirement or by the place, the one that misses the fewest.
+    let full = || sizing.rejected().iter().filter_map(|each| check(project, &code(each)).ok());
+    let first = |of: &dyn Fn(&Candidate<'_>) -> bool| {
+        let found = full().filter(|each| each.objections.is_empty() && of(each));
+        found.min_by_key(|each| (RankKey::of(&each.standing), catalogue_place(each))).map(|each| each.id)
+    };
+    let near = first(&|each| !each.judgement.checks.iter().any(of_the_place));
+    // Where each is excluded by the place, the first of these; by a requirement, the one that misses the fewest.
     let fewest = || sizing.rejected().iter().min_by_key(|each| each.objections.len() + failing(each).len());
-    near.or_else(|| fewest().filter(|_| sizing.fitting().is_empty()).map(|each| each.id.clone()))
+    let excluded = || first(&|_| true).or_else(|| fewest().map(|each| each.id.clone()));
+    near.or_else(|| excluded().filter(|_| sizing.fitting().is_empty()))
 }
 
 fn catalogue_place(candidate: &Candidate<'_>) -> usize {

@@ -378,3 +378,23 @@ fn a_heading_of_units_is_named() {
         assert_eq!((recording.time_s.len(), recording.columns.len()), (5, roles.len()), "{heading}");
     }
 }
+
+/// A unit that the project states does not say the factor of a heading, so that it would be dropped: the column is refused. A number
+/// that is an index is none.
+#[test]
+fn a_stated_unit_drops_no_factor_of_a_heading() {
+    let read = |heading: &str, unit| {
+        let position = ColumnSpec { unit: Some(unit), ..ColumnSpec::default() };
+        read(&format!("t [s],\"{heading}\"\n0,1\n1,2\n2,1\n"), &Layout { position, ..Layout::default() })
+    };
+    for text in
+        ["0.001 deg", "1e-3 deg", "deg*10", "1/100 deg", "100 deg", "0,1 rad", "deg/10", "%", "% rated", "1000mm"]
+    {
+        let found = read(&format!("q [{text}]"), &unit::DEGREE).unwrap_err();
+        let is_it = |fault: &&Fault| matches!(fault.bare(), Fault::UnitScaled { .. });
+        assert!(found.iter().any(|fault| is_it(&fault)), "{text}: {found:?}");
+    }
+    for text in ["inc", "pos", "axis 1", "LU", "1/x", "deg"] {
+        assert!(read(&format!("q [{text}]"), &unit::DEGREE).is_ok(), "{text}");
+    }
+}
