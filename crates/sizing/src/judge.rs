@@ -2,12 +2,11 @@
 
 use crate::axis::Axis;
 use crate::bearing_checks::Borne;
-use crate::check::{Check, CheckId, Fit, Margin, Part, Verdict};
+use crate::check::{Check, CheckId, Checks, Fit, Margin, Part, Verdict};
 use crate::currents::Currents;
 use crate::demand::{Demand, ManualDemand};
 use crate::electrics::Electrics;
 use crate::energy;
-use crate::judged::Checks;
 use crate::list::{Case, SharedBy, Stage};
 use crate::notes::Note;
 use actuator::{Drivetrain, Parameters};

@@ -306,16 +306,7 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                 of_share.or_else(|| Some(valid_units(*role, language))),
             )
         }
-        Fault::UnitScaled { column, text } => (
-            said!(language =>
-                "{}: {} is more than a unit, and the stated unit would drop the rest"
-                | "{}: {} ist mehr als eine Einheit, die angegebene Einheit ließe den Rest weg", q(column), q(text)
-            ),
-            Some(said!(language =>
-                "multiply the values of the column and name the unit alone in the heading"
-                | "die Werte der Spalte umrechnen und in der Überschrift nur die Einheit nennen"
-            )),
-        ),
+        Fault::UnitScaled { column, text } => headings::scaled(&q(column), &q(text), language),
         Fault::UnitContradiction { column, units: [first, second], by: [first_by, second_by] } => {
             let (first_by, second_by) = (known_by(*first_by, language), known_by(*second_by, language));
             (

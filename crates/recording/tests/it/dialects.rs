@@ -387,9 +387,7 @@ fn a_stated_unit_drops_no_factor_of_a_heading() {
         let position = ColumnSpec { unit: Some(unit), ..ColumnSpec::default() };
         read(&format!("t [s],\"{heading}\"\n0,1\n1,2\n2,1\n"), &Layout { position, ..Layout::default() })
     };
-    for text in
-        ["0.001 deg", "1e-3 deg", "deg*10", "1/100 deg", "100 deg", "0,1 rad", "deg/10", "%", "% rated", "1000mm"]
-    {
+    for text in ["0.001 deg", "1e-3 deg", "deg*10", "1/100 deg", "100 deg", "0,1 rad", "deg/10", "% rated", "1000mm"] {
         let found = read(&format!("q [{text}]"), &unit::DEGREE).unwrap_err();
         let is_it = |fault: &&Fault| matches!(fault.bare(), Fault::UnitScaled { .. });
         assert!(found.iter().any(|fault| is_it(&fault)), "{text}: {found:?}");

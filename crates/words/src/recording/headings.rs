@@ -133,3 +133,16 @@ pub(super) fn unit_without_column(
         )),
     )
 }
+
+/// Returns the fault of a heading with a factor beside the unit.
+pub(super) fn scaled(column: &str, text: &str, language: Language) -> (String, Option<String>) {
+    let fault = said!(language =>
+        "{column}: {text} is more than a unit, and the stated unit would drop the rest"
+        | "{column}: {text} ist mehr als eine Einheit, die angegebene Einheit ließe den Rest weg"
+    );
+    let hint = said!(language =>
+        "multiply the values of the column and name the unit alone in the heading"
+        | "die Werte der Spalte umrechnen und in der Überschrift nur die Einheit nennen"
+    );
+    (fault, Some(hint))
+}
