@@ -312,7 +312,7 @@ fn results_are_in_the_order_of_the_list() {
 fn dividing_a_rest_that_the_brake_holds_changes_nothing() {
     let of = |parts: &[f64], at_end: &[f64]| {
         let mut segments: Vec<SegmentSpec> = parts.iter().map(|time| dwell(*time, Hold::Brake)).collect();
-        segments.extend([swing(10.0), swing(-10.0)]);
+        segments.extend([swing(10.0), swing(10.0)]);
         segments.extend(at_end.iter().map(|time| dwell(*time, Hold::Brake)));
         let axis = axis(&segments);
         let rms = axis.demand(MomentOfInertia::from_si(2.0)).torque_rms.si();

@@ -308,6 +308,10 @@ checks! {
     Mounting: ListedCheck::new("mounting", Environment, First, OfDrivetrain(environment::mounting))
         .margin(Margin::Class).mended_by(Mended::Neither)
         .only_with("requirements.mounting", |axis| axis.asked.mounting.is_some());
+    /// DC link voltage against U_DCmax.
+    DcLink: ListedCheck::new("dc_link", Energy, First, OfDrivetrain(electric_checks::dc_link))
+        .margin(Margin::Class).mended_by(Mended::Neither)
+        .only_with("requirements.supply", |axis| axis.supply.is_some());
     /// Effective motor current against the continuous current of the drive of the machine.
     DriveCurrent: ListedCheck::new("drive_current", Drive, Heat, Actuator(drive_checks::continuous))
         .only_with("drive.current_continuous", |axis| axis.asked.drive_current_continuous.is_some());
@@ -358,10 +362,6 @@ checks! {
     BrakeStops: ListedCheck::new("brake_stops", Brake, Further, Concerned(brake_checks::stops))
         .mended_by(Mended::Neither)
         .only_with("requirements.emergency_stops", |axis| axis.asked.emergency_stops.is_some());
-    /// DC link voltage against U_DCmax.
-    DcLink: ListedCheck::new("dc_link", Energy, First, OfDrivetrain(electric_checks::dc_link))
-        .margin(Margin::Class).mended_by(Mended::Neither)
-        .only_with("requirements.supply", |axis| axis.supply.is_some());
     /// Travel against the absolute range of the feedback.
     FeedbackRange: ListedCheck::new("feedback_range", Feedback, Further, Concerned(feedback_checks::range))
         .of_the_output().of_the_feedback().limited_by("requirements.absolute", |axis| axis.asked.absolute == Some(true));
