@@ -267,7 +267,9 @@ fn hint_of(error: &clap::Error, missing: &[String]) -> Option<UsageHint> {
         return Some(UsageHint::Words(Hint::ValidAre(missing.to_vec())));
     }
     let near = [ContextKind::SuggestedSubcommand, ContextKind::SuggestedArg, ContextKind::SuggestedValue];
-    if let Some(near) = near.into_iter().find_map(|kind| context(error, kind)).filter(|near| !near.is_empty()) {
+    let unknown = context(error, ContextKind::InvalidArg).unwrap_or_default();
+    let is_meant = |near: &String| !near.is_empty() && may_mean(&unknown, near);
+    if let Some(near) = near.into_iter().find_map(|kind| context(error, kind)).filter(is_meant) {
         return Some(UsageHint::Words(Hint::DidYouMean(near)));
     }
     if let Some(ContextValue::Strings(valid)) = error.get(ContextKind::ValidValue)

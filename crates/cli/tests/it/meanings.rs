@@ -284,7 +284,7 @@ fn no_stated_figure_is_lost() {
         assert!(refused.code == 2 && !is_lost, "{written}\n{}", refused.err);
     }
     let scaled = call(folder.path(), "antrieb size disc.toml --load +15%");
-    let keys = ["load × 1.15: ", "mechanism.turntable.body[1].mass 30kg → 34.5 kg"];
+    let keys = ["load × 1.15: ", "mechanism.turntable.body[1].mass 30kg → 34.5kg"];
     assert!(keys.iter().all(|key| (scaled.out.clone() + &scaled.err).contains(key)), "{}", scaled.err);
     let pairs = call(folder.path(), "antrieb sweep disc.toml --mass 2,5kg,3,5kg --json");
     assert!(pairs.out.contains("\"2.5\"") && pairs.out.contains("\"3.5\""), "{}", pairs.err);
