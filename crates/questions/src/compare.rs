@@ -114,7 +114,7 @@ pub fn compare<'p>(
 
 fn check_rows(candidates: &[&Candidate<'_>]) -> Vec<CheckRow> {
     let of = |candidate: &Candidate<'_>, id: CheckId| {
-        candidate.judgement.checks.iter().find(|check| check.id == id).map(|check| Check::clone(check))
+        candidate.judgement.checks.iter().find(|check| check.id == id).cloned()
     };
     CheckId::ALL
         .iter()

@@ -42,7 +42,7 @@ pub fn joint_loads(project: &AxisProject, code: &OrderCode) -> Result<AxisLoads,
             radial: Sourced { value: radial, ..asked(found(CheckId::BearingRadial)?)? },
         })
     };
-    let torque = |id: CheckId| cycle.checks.iter().find(|check| check.id == id).and_then(|check| asked(check));
+    let torque = |id: CheckId| cycle.checks.iter().find(|check| check.id == id).and_then(asked);
     Ok(AxisLoads {
         torque_load: torque(CheckId::ScrewJointLoad),
         torque_housing: torque(CheckId::ScrewJointHousing),

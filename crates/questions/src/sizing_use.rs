@@ -111,7 +111,7 @@ impl<'p> Sizing<'p> {
 /// Returns `true` unless an objection or a check independent of load and cycle time excludes a candidate.
 fn may_be_near(candidate: &Candidate<'_>) -> bool {
     let of_the_place = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
-    candidate.objections.is_empty() && !candidate.judgement.checks.iter().any(|check| of_the_place(check))
+    candidate.objections.is_empty() && !candidate.judgement.checks.iter().any(of_the_place)
 }
 
 /// Returns the number of requirements and limits that a candidate does not meet.

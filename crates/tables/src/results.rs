@@ -147,7 +147,7 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
         ];
         row.extend(ids.iter().map(|id| {
             let check = candidate.judgement.checks.iter().find(|check| check.id == *id);
-            check.and_then(|check| margin_share(check)).map_or(Cell::Empty, Cell::number)
+            check.and_then(margin_share).map_or(Cell::Empty, Cell::number)
         }));
         row
     };

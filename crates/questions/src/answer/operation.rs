@@ -15,7 +15,7 @@ pub(super) fn operation(
     (checks, errata): (&Checks, &'static [&'static str]),
     language: Language,
 ) -> Operation {
-    let energies = checks.iter().find(|check| check.id == CheckId::Regeneration).and_then(|check| energies(check));
+    let energies = checks.iter().find(|check| check.id == CheckId::Regeneration).and_then(energies);
     let found = energies.map_or_else(|| found.clone(), |energies| found.clone().with_energies(energies));
     Operation {
         segments: found.segments.iter().map(load).collect(),

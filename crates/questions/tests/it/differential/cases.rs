@@ -111,7 +111,7 @@ impl Case {
         let code = order_code::parse(&self.code).unwrap().code;
         let judgement = check(&project, &code).unwrap().judgement;
         let demand = judgement.demand.unwrap();
-        let mut figures: Figures = judgement.checks.iter().filter_map(|check| of_check(check)).collect();
+        let mut figures: Figures = judgement.checks.iter().filter_map(of_check).collect();
         let turn = std::f64::consts::TAU / 60.0;
         for (key, value) in [
             ("T_rms", demand.torque_rms.si()),
