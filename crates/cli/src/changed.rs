@@ -69,7 +69,7 @@ pub(crate) fn changed(text: &str, matches: &ArgMatches, language: Language) -> R
         match made {
             Ok((text, made)) => {
                 if let Some(key) = twice(&mut keys_set, option, change, &made) {
-                    let usage = Usage::Twice { name: format!("--{option} {key}") };
+                    let usage = Usage::Twice { name: key };
                     faults.push(Unanswered::option(option, (usage_text(&usage, language), None)));
                     continue;
                 }

@@ -128,20 +128,7 @@ impl QuantityError {
     /// Returns the offending part of the text, in bytes; always at character boundaries.
     #[must_use]
     pub fn span(&self) -> Range<usize> {
-        match self {
-            Self::Empty { span, .. }
-            | Self::NumberMissing { span, .. }
-            | Self::NumberUnreadable { span, .. }
-            | Self::DecimalComma { span, .. }
-            | Self::NotFinite { span, .. }
-            | Self::UnitMissing { span, .. }
-            | Self::UnitUnknown { span, .. }
-            | Self::WrongQuantity { span, .. }
-            | Self::FlywheelEffect { span, .. }
-            | Self::ToleranceMissing { span }
-            | Self::ToleranceNegative { span }
-            | Self::ToleranceOfOffsetScale { span } => span.clone(),
-        }
+        self.clone().span_mut().clone()
     }
 
     /// Returns the place of the offending part of the text, to change it.
