@@ -241,12 +241,16 @@ impl Check {
         self.utilisation_band().map(|[by_upper_edge, _]| by_upper_edge).or(self.utilisation)
     }
 
-    /// Returns the utilisations by the upper and by the lower edge of an estimated limit, the smaller one first; the second
-    /// is [`Check::utilisation`]. `None` for a limit without a band.
+    /// Returns the utilisations by the upper and by the lower edge of an estimated limit, or by the worst single instant and
+    /// by the largest loads of different instants combined, the smaller one first; the second is [`Check::utilisation`].
+    /// `None` without a band.
     #[must_use]
     pub fn utilisation_band(&self) -> Option<[f64; 2]> {
         let (share, limit) = (self.utilisation?, self.limit?.si);
         let noted = |of: fn(&Note) -> Option<f64>| self.notes.iter().find_map(of);
+        if let Some(alone) = noted(|note| if let Note::AtOneInstant(alone) = note { Some(alone.si) } else { None }) {
+            return Some([self.direction().share(alone, limit), share]);
+        }
         let upper = noted(|note| match note {
             Note::EstimatedUpTo(upper) | Note::PermittedByCurve(upper) => Some(upper.si),
             _ => None,

@@ -52,12 +52,37 @@ impl Peak {
     }
 }
 
-/// Largest F_r, F_a and M about the bearing's centre, each at its own instant.
+/// Position, size and life exponent of an output bearing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Geometry {
+    /// R: offset of the bearing's centre behind the flange face.
+    pub(crate) offset: Length,
+    /// d_p: pitch circle diameter.
+    pub(crate) pitch: Length,
+    /// B: exponent of the bearing's life.
+    pub(crate) exponent: f64,
+}
+
+impl Geometry {
+    /// Returns the geometry for which no moment is computed.
+    fn none() -> Self {
+        Self { offset: Length::from_si(0.0), pitch: Length::from_si(0.0), exponent: 3.0 }
+    }
+
+    fn key(&self) -> Key {
+        [self.offset.si(), self.pitch.si(), self.exponent].map(f64::to_bits)
+    }
+}
+
+/// Largest F_r, F_a and M about the bearing's centre, each at its own instant, and the largest combination of the three at
+/// one instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Peaks {
     pub(crate) radial: Peak,
     pub(crate) axial: Peak,
     pub(crate) moment: Peak,
+    /// M_eq of one instant: [`actuator::static_equivalent_moment`].
+    pub(crate) equivalent: Peak,
 }
 
 impl Peaks {
@@ -68,14 +93,36 @@ impl Peaks {
         acting.all(|peak| Some(peak.at()) == first)
     }
 
-    pub(crate) fn see(&mut self, [radial, axial, moment]: [f64; 3], at: f64) {
+    pub(crate) fn see(&mut self, [radial, axial, moment, equivalent]: Values, at: f64) {
         self.radial.see(radial, at);
         self.axial.see(axial, at);
         self.moment.see(moment, at);
+        self.equivalent.see(equivalent, at);
+    }
+
+    /// Returns the largest values in the order of [`Values`].
+    fn each(&mut self) -> [&mut Peak; 4] {
+        [&mut self.radial, &mut self.axial, &mut self.moment, &mut self.equivalent]
     }
 }
 
-/// Loads over the cycle for one position of the bearing and one exponent of its life.
+/// F_r, F_a, M and M_eq at one instant.
+pub(crate) type Values = [f64; 4];
+
+/// Returns F_r, F_a and M at one instant with the M_eq that they make.
+pub(crate) fn with_equivalent([radial, axial, moment]: [f64; 3], pitch: Length) -> Values {
+    let none = Length::from_si(0.0);
+    let load = actuator::FlangeLoad {
+        radial_force: Force::from_si(radial),
+        radial_distance: none,
+        axial_force: Force::from_si(axial),
+        axial_distance: none,
+    };
+    let equivalent = actuator::static_equivalent_moment(&load, Torque::from_si(moment), pitch);
+    [radial, axial, moment, equivalent.si()]
+}
+
+/// Loads over the cycle for one geometry of the bearing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct CycleLoads {
     /// Loads while the gear turns.
@@ -96,6 +143,7 @@ impl CycleLoads {
             radial: turning.radial.or(resting.radial),
             axial: turning.axial.or(resting.axial),
             moment: turning.moment.or(resting.moment),
+            equivalent: turning.equivalent.or(resting.equivalent),
         }
     }
 }
@@ -106,9 +154,9 @@ pub(crate) struct Known(Arc<Found>);
 
 #[derive(Debug, Default)]
 struct Found {
-    /// Loads by R and B.
+    /// Loads by the bearing's geometry.
     loads: Mutex<Vec<KnownLoads>>,
-    /// Instants within each piece of the motion at which the loads may have a corner or a step, independent of R and B.
+    /// Instants within each piece of the motion at which the loads may have a corner or a step, independent of the bearing.
     corners: OnceLock<Vec<Vec<f64>>>,
     states: OnceLock<Vec<States>>,
 }
@@ -120,11 +168,14 @@ pub(crate) struct States {
     pub(crate) rests: bool,
 }
 
-/// Bit patterns of R and B, and the loads for them.
-type KnownLoads = ([u64; 2], CycleLoads);
+/// Bit patterns of R, d_p and B.
+type Key = [u64; 3];
+
+/// Geometry of a bearing and the loads for it.
+type KnownLoads = (Key, CycleLoads);
 
 impl Known {
-    fn get(&self, key: [u64; 2], make: impl FnOnce() -> CycleLoads) -> CycleLoads {
+    fn get(&self, key: Key, make: impl FnOnce() -> CycleLoads) -> CycleLoads {
         // One thread computes the loads of a pair; the others wait for it rather than repeat the work.
         let mut known = self.0.loads.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, loads)) = known.iter().find(|(of, _)| *of == key) {
@@ -158,16 +209,15 @@ impl BearingDuty {
 
 impl Axis {
     /// Returns the loads on the flange over the cycle including those of the mechanism; `None` if none follow from it.
-    pub(crate) fn derived_loads(&self, offset: Length, exponent: f64) -> Option<CycleLoads> {
+    pub(crate) fn derived_loads(&self, bearing: &Geometry) -> Option<CycleLoads> {
         let duty = self.bearing.as_ref()?;
         let derived = duty.derived.as_ref()?;
         if duty.forces_known(self).is_ok() && duty.moment_known(self).is_err() {
             // Without the moment there is no life: only the peaks of the forces are needed, equal for every bearing.
-            let find = || Walk::of(self, duty, derived, Length::from_si(0.0), 3.0).only_forces().loads();
-            return Some(self.flange_known.get([u64::MAX; 2], find));
+            let find = || Walk::of(self, duty, derived, Geometry::none()).only_forces().loads();
+            return Some(self.flange_known.get([u64::MAX; 3], find));
         }
-        let key = [offset.si().to_bits(), exponent.to_bits()];
-        Some(self.flange_known.get(key, || Walk::of(self, duty, derived, offset, exponent).loads()))
+        Some(self.flange_known.get(bearing.key(), || Walk::of(self, duty, derived, *bearing).loads()))
     }
 
     /// Returns the states of the gear in each segment of the motion.
@@ -194,14 +244,14 @@ impl Axis {
         self.gear_states().iter().any(|state| state.rests)
     }
 
-    /// Returns the loads on the flange over the cycle if only stated ones apply, computed once for each position of the
+    /// Returns the loads on the flange over the cycle if only stated ones apply, computed once for each geometry of the
     /// bearing.
-    pub(crate) fn stated_loads(&self, offset: Length, exponent: f64, find: impl FnOnce() -> CycleLoads) -> CycleLoads {
+    pub(crate) fn stated_loads(&self, bearing: &Geometry, find: impl FnOnce() -> CycleLoads) -> CycleLoads {
         // Comparing a few loads is faster than a look-up.
         if self.bearing.as_ref().is_none_or(|duty| duty.loads.len() <= FEW) {
             return find();
         }
-        self.flange_known.get([offset.si().to_bits(), exponent.to_bits()], find)
+        self.flange_known.get(bearing.key(), find)
     }
 
     /// Returns the loads on the flange at instants over the cycle, for pictures: instant, F_r, F_a, and M for a
@@ -213,7 +263,8 @@ impl Axis {
         };
         match &duty.derived {
             Some(derived) => {
-                let mut walk = Walk::of(self, duty, derived, offset.unwrap_or_else(|| Length::from_si(0.0)), 3.0);
+                let none = Geometry::none();
+                let mut walk = Walk::of(self, duty, derived, Geometry { offset: offset.unwrap_or(none.offset), ..none });
                 walk.samples = Some(Vec::new());
                 let known = duty.moment_known(self).is_ok() && offset.is_some();
                 let samples = walk.sampled().into_iter();
@@ -244,7 +295,7 @@ impl Axis {
     pub fn flange_instants(&self) -> [f64; 2] {
         let Some(duty) = self.bearing.as_ref().filter(|duty| duty.forces_known(self).is_ok()) else { return [0.0; 2] };
         let Some(derived) = &duty.derived else { return [0.0; 2] };
-        let walk = Walk::of(self, duty, derived, Length::from_si(0.0), 3.0);
+        let walk = Walk::of(self, duty, derived, Geometry::none());
         let of_piece = |piece: &Piece| {
             let parts = if piece.is_rest() { 0.0 } else { walk.parts(piece, piece.duration_s) };
             let whole = if walk.repeats(piece) { (piece.duration_s / walk.turn_s(piece)).floor() / 2.0 } else { 1.0 };

@@ -14,6 +14,10 @@ fn length(metres: f64) -> Length {
     Length::from_si(metres)
 }
 
+fn bearing(offset: f64, exponent: f64) -> Geometry {
+    Geometry { offset: length(offset), pitch: length(0.088), exponent }
+}
+
 fn arm(mass: f64, tilt_deg: f64) -> Mechanism {
     let rotor = Rotor {
         kind: RotorKind::Arm,
@@ -84,7 +88,7 @@ fn whole_revolutions_by_hand() {
     for turns in [1.0, 3.0, 500.0] {
         let axis = axis(arm(6.0, 90.0), &[turning(turns, turns * 0.9)], Vec::new(), none());
         let c = (std::f64::consts::TAU / 0.9_f64).powi(2) * 0.35;
-        let found = axis.derived_loads(length(0.018), 2.0).unwrap();
+        let found = axis.derived_loads(&bearing(0.018, 2.0)).unwrap();
         assert!((found.turning.radial.value() / (6.0 * (c + G)) - 1.0).abs() < 1e-12, "{found:?}");
         assert!((found.means[0] / (6.0 * (c * c + G * G).sqrt()) - 1.0).abs() < 1e-12, "{turns}: {found:?}");
         assert!((found.mean_moment / (found.means[0] * 0.068) - 1.0).abs() < 1e-12);
@@ -96,7 +100,8 @@ fn whole_revolutions_by_hand() {
 }
 
 /// Returns means and peaks of a cycle by a plain sum over many steps, written independently of the walk.
-fn brute(axis: &Axis, offset: f64, exponent: f64, steps: u32) -> [f64; 6] {
+fn brute(axis: &Axis, offset: f64, exponent: f64, steps: u32) -> [f64; 7] {
+    let mut equivalent = 0.0_f64;
     let (mut peaks, mut sums, mut travelled) = ([0.0_f64; 3], [0.0; 3], 0.0);
     let duty = axis.bearing.as_ref().unwrap();
     for piece in axis.motion.pieces() {
@@ -118,6 +123,7 @@ fn brute(axis: &Axis, offset: f64, exponent: f64, steps: u32) -> [f64; 6] {
                 forces.axial() + own.axial_force.si(),
                 forces.moment(length(offset)) + actuator::tilting_moment(own, length(offset)).si(),
             ];
+            equivalent = equivalent.max(values[2] + 0.044 * (values[0] + 0.44 * values[1]));
             for k in 0..3 {
                 peaks[k] = peaks[k].max(values[k]);
                 sums[k] += values[k].powf(exponent) * w.abs() * dt;
@@ -126,7 +132,7 @@ fn brute(axis: &Axis, offset: f64, exponent: f64, steps: u32) -> [f64; 6] {
         }
     }
     let means = sums.map(|sum| (sum / travelled).powf(1.0 / exponent));
-    [peaks[0], peaks[1], peaks[2], means[0], means[1], means[2]]
+    [peaks[0], peaks[1], peaks[2], means[0], means[1], means[2], equivalent]
 }
 
 #[test]
@@ -155,7 +161,7 @@ fn laws_agree_with_many_small_steps() {
     ] {
         let axis = axis(mechanism, &specs, vec![payload, Extra::none()], own);
         for exponent in [3.0, B] {
-            let found = axis.derived_loads(length(0.018), exponent).unwrap();
+            let found = axis.derived_loads(&bearing(0.018, exponent)).unwrap();
             let expected = brute(&axis, 0.018, exponent, 20_000);
             let peaks = [found.turning.radial.value(), found.turning.axial.value()];
             for (found, expected) in
@@ -165,6 +171,7 @@ fn laws_agree_with_many_small_steps() {
             }
             assert!((found.mean_moment - expected[5]).abs() <= 1e-6 * (1.0 + expected[5]));
             assert!((found.turning.moment.value() - expected[2]).abs() <= 1e-6 * (1.0 + expected[2]));
+            assert!((found.turning.equivalent.value() - expected[6]).abs() <= 1e-6 * (1.0 + expected[6]));
         }
     }
 }
@@ -202,7 +209,7 @@ fn rounding_at_the_end_of_a_move_turns_no_friction() {
             let mut axis = axis(mechanism, &[SegmentSpec::Move(law, given)], Vec::new(), none());
             let derived = axis.bearing.as_mut().and_then(|duty| duty.derived.as_mut()).unwrap();
             derived.mounting.contact = Some(Contact::Belt { tension: Force::from_si(100.0) });
-            let found = axis.derived_loads(length(0.018), B).unwrap();
+            let found = axis.derived_loads(&bearing(0.018, B)).unwrap();
             let expected = brute(&axis, 0.018, B, 2_000);
             let peaks = [found.turning.radial, found.turning.axial, found.turning.moment].map(|peak| peak.value());
             for (found, expected) in peaks.into_iter().zip(expected) {
@@ -232,7 +239,7 @@ fn a_recording_agrees_with_its_law() {
     let recorded = Recorded::new(samples, Treatment::default()).unwrap();
     let recorded = axis(arm(6.0, 90.0), &[SegmentSpec::Recorded(Arc::new(recorded))], Vec::new(), none());
     let (law, recorded) =
-        (law.derived_loads(length(0.02), B).unwrap(), recorded.derived_loads(length(0.02), B).unwrap());
+        (law.derived_loads(&bearing(0.02, B)).unwrap(), recorded.derived_loads(&bearing(0.02, B)).unwrap());
     for (a, b) in [
         (law.means[0], recorded.means[0]),
         (law.mean_moment, recorded.mean_moment),
@@ -251,7 +258,7 @@ fn without_mass_only_what_is_stated_remains() {
         axial_distance: length(0.04),
     };
     let axis = axis(arm(0.0, 90.0), &[swing(150.0, 0.7), swing(-150.0, 0.5)], Vec::new(), own);
-    let found = axis.derived_loads(length(0.02), B).unwrap();
+    let found = axis.derived_loads(&bearing(0.02, B)).unwrap();
     let close = |a: f64, b: f64| (a - b).abs() < 1e-12 * b;
     assert!(close(found.means[0], 100.0) && close(found.means[1], 250.0));
     assert!(close(found.turning.moment.value(), 18.0) && close(found.mean_moment, 18.0));
@@ -261,7 +268,7 @@ fn without_mass_only_what_is_stated_remains() {
 #[test]
 fn what_is_known_is_not_worked_out_again() {
     let axis = axis(arm(6.0, 90.0), &[swing(150.0, 0.7)], Vec::new(), none());
-    let first = axis.derived_loads(length(0.02), B).unwrap();
-    assert_eq!(axis.clone().derived_loads(length(0.02), B), Some(first));
+    let first = axis.derived_loads(&bearing(0.02, B)).unwrap();
+    assert_eq!(axis.clone().derived_loads(&bearing(0.02, B)), Some(first));
     assert_eq!(axis.flange_known.0.loads.lock().unwrap().len(), 1);
 }

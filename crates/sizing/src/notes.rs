@@ -97,6 +97,8 @@ pub enum Note {
     DeratesThisCheckOnly,
     /// The permissible loads hold one at a time; for their combination the life and the static safety decide.
     LoadsOneAtATime,
+    /// The largest loads act at different instants and are combined; the worst single instant gives this value.
+    AtOneInstant(Amount),
     /// The winding's temperature is an estimate; from cold it reaches its warning threshold after this time.
     WarmUp(Time),
     /// Largest temperature of the housing in the steady cycle.

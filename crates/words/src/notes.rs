@@ -71,6 +71,13 @@ pub fn note_text(note: &Note, language: Language) -> String {
             "the permissible loads apply to each load acting alone; for combined loads, bearing life and static safety govern"
             | "die zulässigen Lasten gelten jeweils einzeln; bei kombinierter Belastung sind Lebensdauer und statische Sicherheit maßgebend"
         ),
+        Note::AtOneInstant(alone) => {
+            let alone = with_unit(alone.si, alone.unit, 3, language);
+            said!(language =>
+                "the largest radial force, axial force and tilting moment act at different instants and are combined, as the manufacturer does in a sister series; the worst single instant gives {alone}"
+                | "größte Radialkraft, größte Axialkraft und größtes Kippmoment wirken zu verschiedenen Zeitpunkten und sind zusammengefasst, wie es der Hersteller bei einer Schwesterbaureihe vorsieht; der ungünstigste einzelne Zeitpunkt ergibt {alone}"
+            )
+        }
         Note::RopeSlack(slack) => rope_slack(slack, language),
         Note::Housing(temperature) => {
             let housing = with_unit(temperature.si(), &DEGREE_CELSIUS, 3, language);

@@ -1,11 +1,11 @@
 //! One pass over the motion: the loads on the flange at every instant, their largest values and their averages.
 
-use super::{CycleLoads, DerivedLoads, FlangeSample, Peaks, is_rest, output};
+use super::{CycleLoads, DerivedLoads, FlangeSample, Geometry, Values, is_rest, output, with_equivalent};
 use crate::axis::{Axis, BearingDuty};
 use mechanism::{Extra, FlangeForces, Output, Recurrence};
 use motion::Piece;
 use numeric::{highest, lobatto, roots};
-use quantities::{Force, Length, Measure, Time, Torque};
+use quantities::{Force, Measure, Time, Torque};
 use trace::kink_passes;
 
 /// Largest angle of the load in a panel, less if the mechanism is not smooth over it: sixteen nodes integrate powers of
@@ -52,8 +52,7 @@ pub(super) struct Walk<'a> {
     axis: &'a Axis,
     duty: &'a BearingDuty,
     derived: &'a DerivedLoads,
-    offset: Length,
-    exponent: f64,
+    bearing: Geometry,
     loads: CycleLoads,
     sums: Sums,
     pub(super) samples: Option<Vec<FlangeSample>>,
@@ -61,23 +60,18 @@ pub(super) struct Walk<'a> {
     only_forces: bool,
 }
 
-/// F_r, F_a and M at one instant.
-type Values = [f64; 3];
-
 impl<'a> Walk<'a> {
     pub(super) fn of(
         axis: &'a Axis,
         duty: &'a BearingDuty,
         derived: &'a DerivedLoads,
-        offset: Length,
-        exponent: f64,
+        bearing: Geometry,
     ) -> Self {
         Self {
             axis,
             duty,
             derived,
-            offset,
-            exponent,
+            bearing,
             loads: CycleLoads::default(),
             sums: Sums::default(),
             samples: None,
@@ -93,7 +87,7 @@ impl<'a> Walk<'a> {
     pub(super) fn loads(mut self) -> CycleLoads {
         self.walk();
         let Sums { travelled, forces, moment } = self.sums;
-        let mean = |sum: f64| if travelled > 0.0 { (sum / travelled).powf(1.0 / self.exponent) } else { 0.0 };
+        let mean = |sum: f64| if travelled > 0.0 { (sum / travelled).powf(1.0 / self.bearing.exponent) } else { 0.0 };
         CycleLoads { means: forces.map(mean), mean_moment: mean(moment), ..self.loads }
     }
 
@@ -126,12 +120,12 @@ impl<'a> Walk<'a> {
 
     /// Returns x^B; for the exponents of both types of bearing without logarithms.
     fn power(&self, x: f64) -> f64 {
-        if self.exponent == 3.0 {
+        if self.bearing.exponent == 3.0 {
             x * x * x
-        } else if self.exponent == 10.0 / 3.0 {
+        } else if self.bearing.exponent == 10.0 / 3.0 {
             x * x * x * x.cbrt()
         } else {
-            x.powf(self.exponent)
+            x.powf(self.bearing.exponent)
         }
     }
 
@@ -144,15 +138,16 @@ impl<'a> Walk<'a> {
             FlangeForces::default()
         };
         let [radial, axial, by_radial, by_axial] = self.stated(segment);
-        let moment = if self.only_forces { 0.0 } else { forces.moment(self.offset) };
-        [forces.radial() + radial, forces.axial() + axial, moment + by_radial + by_axial]
+        let moment = if self.only_forces { 0.0 } else { forces.moment(self.bearing.offset) };
+        let values = [forces.radial() + radial, forces.axial() + axial, moment + by_radial + by_axial];
+        with_equivalent(values, self.bearing.pitch)
     }
 
     /// Returns the stated loads of a segment: F_r, F_a, F_r (L_r + R), F_a L_a.
     fn stated(&self, segment: usize) -> [f64; 4] {
         self.duty.loads.get(segment).map_or([0.0; 4], |load| {
             let (radial, axial) = (load.radial_force.si(), load.axial_force.si());
-            let by_radial = radial * (load.radial_distance.si() + self.offset.si());
+            let by_radial = radial * (load.radial_distance.si() + self.bearing.offset.si());
             [radial, axial, by_radial, axial * load.axial_distance.si()]
         })
     }
@@ -162,7 +157,7 @@ impl<'a> Walk<'a> {
         self.loads.turning.see(*values, time);
         if weight > 0.0 && !self.only_forces {
             let add = |value: f64| if value == 0.0 { 0.0 } else { weight * self.power(value) };
-            let [radial, axial, moment] = values.map(add);
+            let [radial, axial, moment, _] = values.map(add);
             self.sums.travelled += weight;
             self.sums.forces.iter_mut().zip([radial, axial]).for_each(|(sum, part)| *sum += part);
             self.sums.moment += moment;
@@ -176,7 +171,7 @@ impl<'a> Walk<'a> {
         self.show(time, values);
     }
 
-    fn show(&mut self, time: f64, [radial, axial, moment]: &Values) {
+    fn show(&mut self, time: f64, [radial, axial, moment, _]: &Values) {
         if let Some(samples) = &mut self.samples {
             samples.push(FlangeSample {
                 time: Time::from_si(time),
@@ -320,7 +315,7 @@ impl<'a> Walk<'a> {
         let mut k = 0.0;
         while k < count.max(1.0) {
             let (start, end) = (from + k * length, from + (k + 1.0) * length);
-            let mut nodes = [(0.0, [0.0; 3]); NODES];
+            let mut nodes = [(0.0, [0.0; 4]); NODES];
             for ((u, weight), node) in lobatto(NODES).iter().zip(&mut nodes) {
                 let t = (start + u * (end - start)).max(from + beside).min(to - beside);
                 let output = output(piece, t, sense);
@@ -335,27 +330,23 @@ impl<'a> Walk<'a> {
     }
 
     /// Searches between the nodes around an inner maximum if the parabola through three nodes indicates a larger value.
-    fn peaks_between(&mut self, piece: &Piece, sense: f64, nodes: &[(f64, [f64; 3]); NODES]) {
-        for which in 0..3 {
+    fn peaks_between(&mut self, piece: &Piece, sense: f64, nodes: &[(f64, Values); NODES]) {
+        for which in 0..4 {
             for trio in nodes.windows(3) {
                 let [a, b, c] = trio else { continue };
                 let [a, b, c] = [a, b, c].map(|(t, values)| (*t, values.get(which).copied().unwrap_or(0.0)));
                 if b.1 < a.1 || b.1 < c.1 {
                     continue;
                 }
-                let Peaks { radial, axial, moment } = self.loads.turning;
-                let best = [radial, axial, moment].get(which).map_or(0.0, |peak| peak.value());
+                let best = self.loads.turning.each().get(which).map_or(0.0, |peak| peak.value());
                 let value = |t: f64| {
                     let values = self.values(piece.segment, &output(piece, t, sense), 0.0);
                     values.get(which).copied().unwrap_or(0.0)
                 };
                 let (t, found) = highest(value, [a, b, c], best, CLOSE);
-                let peak = match which {
-                    0 => &mut self.loads.turning.radial,
-                    1 => &mut self.loads.turning.axial,
-                    _ => &mut self.loads.turning.moment,
-                };
-                peak.see(found, piece.start_s + t);
+                if let Some(peak) = self.loads.turning.each().get_mut(which) {
+                    peak.see(found, piece.start_s + t);
+                }
             }
         }
     }

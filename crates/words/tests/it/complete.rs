@@ -170,6 +170,7 @@ fn notes() {
             printed: actuator::Protection { solids: 6, water: 5 },
         },
         Note::LoadsOneAtATime,
+        Note::AtOneInstant(figure),
         Note::WarmUp(q(600.0)),
         Note::Housing(q(330.0)),
         Note::HangingLoad,

@@ -94,3 +94,73 @@ fn a_resting_mechanism_bears_its_weight() {
     let found = of(&read(text), CODE, CheckId::BearingStaticMoment).value.unwrap().si;
     assert!((found - (weight * (0.045 + 0.014) + 0.02325 * weight)).abs() < 1e-9, "{found}");
 }
+
+/// A press with two dwells, each with its own radial force F_r at 80 mm and axial force F_a at 30 mm.
+fn two_dwells([first, second]: [[f64; 2]; 2]) -> String {
+    let dwell = |[radial, axial]: [f64; 2]| {
+        format!(
+            "[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n[motion.bearing]\nradial_force = \"{radial} N\"\nradial_distance = \"80 mm\"\n\
+             axial_force = \"{axial} N\"\naxial_distance = \"30 mm\"\n"
+        )
+    };
+    format!(
+        "format = 1\n[load]\ninertia = \"0.2 kg m^2\"\n[[motion]]\nlaw = \"trapezoid\"\ndistance = \"90 deg\"\ntime = \"1 s\"\n{}\
+         [[motion]]\nlaw = \"trapezoid\"\ndistance = \"-90 deg\"\ntime = \"1 s\"\n{}\
+         [bearing]\nradial_force = \"5 N\"\nradial_distance = \"5 mm\"\nload_factor = 1.2\noperating_condition = \"normal\"\n",
+        dwell(first),
+        dwell(second)
+    )
+}
+
+/// Largest loads of different rests are combined, and the worst single rest is stated: both by eq. 76.1, written apart, over a
+/// grid of loads. Only what a single rest violates is rejected; what the combination alone violates is advice whose band
+/// runs from one to the other. The order of the rests changes nothing.
+#[test]
+fn loads_of_different_rests_are_combined_and_each_is_judged_alone() {
+    // 14A: R 14 mm, d_p 46.5 mm, C_0 11400 N, M_0(max) 147 Nm, f_s 1.8.
+    let moment = |[radial, axial]: [f64; 2]| radial * (0.08 + 0.014) + axial * 0.03;
+    let equivalent = |radial: f64, axial: f64, moment: f64| moment + 0.02325 * (radial + 0.44 * axial);
+    let mut seen = [0; 3];
+    for step in 0..144_u32 {
+        let [a, b, c, d] = [step % 4, step / 4 % 3, step / 12 % 4, step / 48].map(f64::from);
+        let loads = [[820.0 + 130.0 * a, 90.0 * b], [190.0 * c, 60.0 + 1100.0 * d]];
+        let project = read(&two_dwells(loads));
+        let largest = |of: fn(&[f64; 2]) -> f64| loads.iter().map(of).fold(0.0, f64::max);
+        let (radial, axial) = (largest(|load| load[0]), largest(|load| load[1]));
+        let moments = loads.map(moment);
+        let combined = equivalent(radial, axial, moments[0].max(moments[1]));
+        let alone = loads.map(|load| equivalent(load[0], load[1], moment(load)));
+        let alone = alone[0].max(alone[1]);
+        for (id, value, by_one, limit, keeps) in [
+            (CheckId::BearingStaticMoment, combined, alone, 147.0, alone <= 147.0),
+            (CheckId::BearingStatic, 11_400.0 * 0.02325 / combined, 11_400.0 * 0.02325 / alone, 1.8, {
+                11_400.0 * 0.02325 / alone >= 1.8
+            }),
+        ] {
+            let found = of(&project, CODE, id);
+            assert!((found.value.unwrap().si / value - 1.0).abs() < 1e-9, "{loads:?} {found:?}");
+            let share = if id == CheckId::BearingStatic { limit / value } else { value / limit };
+            let expected = match (share <= 1.0, keeps) {
+                (true, _) => Verdict::Pass,
+                (false, true) => Verdict::Advice,
+                (false, false) => Verdict::Fail,
+            };
+            assert_eq!(found.verdict, expected, "{loads:?} {found:?}");
+            seen[[Verdict::Pass, Verdict::Advice, Verdict::Fail].iter().position(|of| *of == expected).unwrap()] += 1;
+            assert_eq!(found.is_inside_band(), expected == Verdict::Advice);
+            match found.utilisation_band() {
+                Some([low, high]) => {
+                    let by_one = if id == CheckId::BearingStatic { limit / by_one } else { by_one / limit };
+                    assert!((low / by_one - 1.0).abs() < 1e-9 && (high / share - 1.0).abs() < 1e-9, "{loads:?} {found:?}");
+                }
+                None => assert!((combined / alone - 1.0).abs() < 1e-8, "{loads:?} {found:?}"),
+            }
+            if step % 6 > 0 {
+                continue;
+            }
+            let swapped = of(&read(&two_dwells([loads[1], loads[0]])), CODE, id);
+            assert_eq!((swapped.verdict, swapped.value.map(|of| of.si)), (found.verdict, found.value.map(|of| of.si)));
+        }
+    }
+    assert!(seen.iter().all(|count| *count >= 10), "{seen:?}");
+}
