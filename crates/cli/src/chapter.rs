@@ -18,7 +18,7 @@ use questions::Candidate;
 use questions::list::bearing::bearing_checks;
 use questions::list::new::Template;
 use questions::list::{Cost, Inquiry, Unanswered, battery, bearing, curve, new};
-use questions::texts::{battery_lines, checked_text, margin_text, unit_text, verdict_text};
+use questions::texts::{battery_lines, compared_texts, margin_text, unit_text, verdict_text};
 use std::path::Path;
 use words::{curve_title, grade_word, source_text, terminal, terms, title_of_check};
 
@@ -81,12 +81,13 @@ fn bearing_text(sizes: &[Candidate<'_>], language: Language) -> String {
     let checks =
         || sizes.iter().flat_map(|size| bearing_checks(size).map(move |check| (size.product.size_name(), check)));
     for (size, check) in checks() {
+        let [value, limit] = compared_texts(check, language);
         table.row([
             size.to_owned(),
             title_of_check(check, language),
             verdict_text(check, language),
-            checked_text(check.id, check.value, language),
-            checked_text(check.id, check.limit, language),
+            value,
+            limit,
             unit_text(check.value, language).to_owned(),
             margin_text(check, language),
         ]);

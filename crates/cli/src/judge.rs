@@ -13,7 +13,7 @@ use questions::list::check::Verification;
 use questions::list::size::Ranking;
 use questions::list::{Inquiry, Unanswered, check, size};
 use questions::texts::{
-    by_importance, checked_text, counts_text, demand_figures, fitting_text, instant_text, margin_text, mend_text,
+    by_importance, compared_texts, counts_text, demand_figures, fitting_text, instant_text, margin_text, mend_text,
     objection_text, percent, provisos, reason, rejections, shown, standing_text, unit_text, verdict_text,
 };
 use questions::{Candidate, Check, Demand, Fit, Objection, Reserve, Sizing, Verdict};
@@ -93,7 +93,7 @@ fn side_by_side(inquiry: &Inquiry<'_>, args: &size::Args, language: Language) ->
                 project.name.clone(),
                 format!("{} {verdict}", named.id),
                 percent(Some(named.standing.utilisation), language),
-                named.judgement.governing().map(|check| title_of_check(check, language)).unwrap_or_default(),
+                named.governing().map(|check| title_of_check(check, language)).unwrap_or_default(),
                 demand(|demand| demand.torque_rms.si(), &NEWTON_METRE),
                 demand(|demand| demand.torque_peak.si(), &NEWTON_METRE),
                 demand(|demand| demand.speed_peak.si(), &REVOLUTION_PER_MINUTE),
@@ -244,7 +244,7 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> TextTab
             (index + 1).to_string(),
             product_text(candidate),
             percent(Some(candidate.standing.utilisation), language),
-            judgement.governing().map(|check| title_of_check(check, language)).unwrap_or_default(),
+            candidate.governing().map(|check| title_of_check(check, language)).unwrap_or_default(),
             judgement.demand.map(|d| shown(d.torque_rms.si(), &NEWTON_METRE, language)).unwrap_or_default(),
             mass.map(|m| marked(format_number(KILOGRAM.from_si(m.value.si()), 1, language), m.errata))
                 .unwrap_or_default(),
@@ -417,11 +417,12 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
             }
             _ => missing(check, language),
         };
+        let [value, limit] = compared_texts(check, language);
         table.row([
             title_of_check(check, language),
             verdict_text(check, language),
-            checked_text(check.id, check.value, language),
-            checked_text(check.id, check.limit, language),
+            value,
+            limit,
             unit_text(check.value, language).to_owned(),
             margin_text(check, language),
             check.at.map_or_else(|| "–".into(), |at| instant_text(at, language)),

@@ -3,8 +3,8 @@
 use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, listed, percent, with_symbols};
 use plot::{Bar, BarChart, PlaneAxis};
-use quantities::Language;
-use questions::texts::{by_importance, checked_text, counts_text, margin_share, verdict_text};
+use quantities::{Language, grouped, with_symbol};
+use questions::texts::{by_importance, compared_texts, counts_text, margin_share, verdict_text};
 use questions::{Candidate, Check, CheckId, Direction, Objection, Verdict};
 use words::{
     advice_word, capitalised, check_missing, pictures, row_name, terms, title_of_check, unmet_text, verdict_word,
@@ -66,12 +66,12 @@ fn bar(check: &Check, language: Language) -> Bar {
     let sign = if check.is_without_limit() { plot::Verdict::NoLimit } else { sign(check.verdict) };
     let mut bar = Bar::new(capitalised(&title_of_check(check, language)), sign).data("check", check.id.id());
     let numbers = match (check.value, check.limit) {
-        (Some(value), Some(limit)) => {
-            let shown = checked_text(check.id, Some(value), language);
+        (Some(_), Some(limit)) => {
+            let [shown, bound] = compared_texts(check, language);
             let sign = if check.direction() == Direction::AtLeast { "≥ " } else { "" };
             let limit = match check.id {
-                CheckId::Protection => checked_text(check.id, Some(limit), language),
-                _ => amount(limit.si, limit.unit, language),
+                CheckId::Protection => bound,
+                _ => with_symbol(&grouped(&bound), limit.unit.symbol_in(language)),
             };
             format!("{shown} / {sign}{limit}")
         }

@@ -5,7 +5,7 @@ use crate::{overlay, value};
 use maud::{Markup, html};
 use project::{Key, key_at};
 use quantities::{Language, Measure};
-use questions::texts::{by_importance, checked_text, instant_text, margin_share, margin_text, unit_text, verdict_text};
+use questions::texts::{by_importance, compared_texts, instant_text, margin_share, margin_text, unit_text, verdict_text};
 use questions::{Candidate, Check, Part, Verdict};
 use words::{
     about_text, capitalised, check_missing, grade_word, hyphenated, note_text, page, part_title, short_label,
@@ -84,6 +84,7 @@ fn row(check: &Check, worst: &[overlay::Worst<'_>], prefix: &str, language: Lang
     let l = language;
     let share = margin_share(check);
     let class = class(check);
+    let [value, limit] = compared_texts(check, l);
     html! {
         tr id={ "check-" (check.id.id()) } class=(class) {
             th scope="row" {
@@ -91,9 +92,9 @@ fn row(check: &Check, worst: &[overlay::Worst<'_>], prefix: &str, language: Lang
                 button.plain type="button" title=(page::how_it_came_about(l)) hx-post="/explain" hx-target="#detail" hx-swap="innerHTML"
                     hx-vals=(vals(&[("check", check.id.id())])) { (hyphenated(&capitalised(&title_of_check(check, l)))) }
             }
-            td.number { (checked_text(check.id, check.value, l)) }
+            td.number { (value) }
             // In a narrow pane the unit stands behind the limit.
-            td.number { (checked_text(check.id, check.limit, l)) span.unit { " " (unit_text(check.value.or(check.limit), l)) } }
+            td.number { (limit) span.unit { " " (unit_text(check.value.or(check.limit), l)) } }
             td.of-unit { (unit_text(check.value.or(check.limit), l)) }
             td.number {
                 (margin_text(check, l))

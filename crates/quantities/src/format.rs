@@ -48,6 +48,24 @@ pub fn format_significant(value: f64, digits: usize, language: Language) -> Stri
     format_number(value, usize::try_from(decimals).unwrap_or(0), language)
 }
 
+/// Most digits that tell two numbers apart: beyond, they are equal up to rounding.
+const DIGITS_APART: usize = 9;
+
+/// Returns the count of significant digits, `digits` at least, with which two numbers that differ are written differently.
+///
+/// ```
+/// use quantities::digits_apart;
+/// assert_eq!([digits_apart([27.0, 26.0], 4), digits_apart([27.0, 27.001], 4), digits_apart([27.0, 27.0], 4)], [4, 5, 4]);
+/// ```
+#[must_use]
+pub fn digits_apart(numbers: [f64; 2], digits: usize) -> usize {
+    let is_apart = |digits: usize| {
+        let [one, other] = numbers.map(|number| format_significant(number, digits, Language::En));
+        one != other
+    };
+    (digits..=DIGITS_APART).find(|digits| is_apart(*digits)).unwrap_or(digits)
+}
+
 /// Life \[h\] above which only the order of magnitude is stated: more than a century.
 const LIFE_MOST_H: f64 = 1e6;
 

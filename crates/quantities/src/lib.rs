@@ -38,7 +38,7 @@ mod units;
 
 pub use dimension::Dimension;
 pub use error::QuantityError;
-pub use format::{format_number, format_significant, grouped, parse_german, with_symbol};
+pub use format::{digits_apart, format_number, format_significant, grouped, parse_german, with_symbol};
 pub use measure::{
     CurrentGain, EffectiveVoltage, Lead, Measure, NoLoadCurrentConstant, PositionGain, SpeedGain, TiltingStiffness,
     TorqueConstant, TorsionalStiffness, ViscousFriction, VoltageConstant,

@@ -67,10 +67,10 @@ impl Candidate<'_> {
         self.judgement.fits()
     }
 
-    /// Returns the governing check, see [`Judgement::governing`].
+    /// Returns the governing check, see [`Judgement::governing_in`].
     #[must_use]
     pub fn governing(&self) -> Option<&Check> {
-        self.judgement.governing()
+        self.judgement.governing_in(self.fit())
     }
 
     /// Returns the reason for the rejection: the governing check, else the first objection; `None` if the candidate

@@ -190,6 +190,21 @@ pub fn checked_text(id: CheckId, figure: Option<Amount>, language: Language) -> 
     }
 }
 
+/// Formats value and limit of a check as [`checked_text`]; where the limit is exceeded, with as many digits as tell them
+/// apart.
+#[must_use]
+pub fn compared_texts(check: &Check, language: Language) -> [String; 2] {
+    let figures = [check.value, check.limit];
+    let is_exceeded = check.verdict == Verdict::Fail || check.is_inside_band();
+    if let ([Some(value), Some(limit)], true) = (figures, is_exceeded) {
+        let digits = quantities::digits_apart([value, limit].map(|figure| figure.value()), 4);
+        if digits > 4 && check.id != CheckId::Protection {
+            return [value, limit].map(|figure| figure.unit.figure(figure.si, digits, language));
+        }
+    }
+    figures.map(|figure| checked_text(check.id, figure, language))
+}
+
 /// Formats a figure in its unit, with four digits, or as a dash.
 #[must_use]
 pub fn figure_text(figure: Option<Amount>, language: Language) -> String {
@@ -309,12 +324,9 @@ fn excess_text(check: &Check, language: Language) -> String {
             terminal::not_absolute_over(&with_unit_text(&value, check.value, language), language)
         }
         _ => {
-            let limit = with_unit_text(&checked_text(check.id, check.limit, language), check.limit, language);
-            let text = format!(
-                "{} {} {limit}",
-                checked_text(check.id, check.value, language),
-                check.relation().unwrap_or_default()
-            );
+            let [value, limit] = compared_texts(check, language);
+            let limit = with_unit_text(&limit, check.limit, language);
+            let text = format!("{value} {} {limit}", check.relation().unwrap_or_default());
             match check.utilisation {
                 Some(_) => format!("{text} ({} %)", percent(check.utilisation, language)),
                 None => text,

@@ -312,7 +312,7 @@ impl Point {
 
     fn of(judged: &Judged<'_>, project: &AxisProject, variant: &Variant) -> Self {
         let (judgement, fit) = judged.judge(project, variant, &mut judge_of(variant));
-        let check = judgement.governing().map(|check| check.id);
+        let check = judgement.governing_in(fit).map(|check| check.id);
         Self { fit, utilisation: number(judgement.utilisation()), check }
     }
 

@@ -76,6 +76,12 @@ impl Judgement {
         governing(&self.checks)
     }
 
+    /// Returns the check that governs a verdict on the actuator: none if only a requirement rejects it.
+    #[must_use]
+    pub fn governing_in(&self, verdict: Fit) -> Option<&Check> {
+        self.governing().filter(|check| verdict.fits() || check.verdict == Verdict::Fail)
+    }
+
     /// Returns the governing check if it fails.
     #[must_use]
     pub fn worst_failure(&self) -> Option<&Check> {

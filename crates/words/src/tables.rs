@@ -87,7 +87,7 @@ texts! {
         "suitable if no check fails and every requirement is met; if a check lies in the band of an estimate, only if the estimate holds"
         | "geeignet, wenn kein Nachweis verletzt und jede Anforderung erfüllt ist; liegt ein Nachweis im Band einer Schätzung, nur sofern diese zutrifft";
     highest_utilisation_about = "utilisation of the governing check, 1 (100 %) is the limit" | "Auslastung des maßgebenden Nachweises, 1 (100 %) ist die Grenze";
-    tightest_check_about = "governing check: the failing one exceeded most, otherwise the one with the highest utilisation" | "maßgebender Nachweis: der am weitesten überschrittene, sonst der mit der höchsten Auslastung";
+    tightest_check_about = "governing check: the failing one exceeded most, otherwise the one with the highest utilisation; none if only a requirement rejects the actuator" | "maßgebender Nachweis: der am weitesten überschrittene, sonst der mit der höchsten Auslastung; keiner, wenn allein eine Anforderung den Antrieb ausschließt";
     margin_about = "1 − utilisation" | "1 − Auslastung";
     open_questions = "not checked" | "nicht geprüft";
     open_questions_about =

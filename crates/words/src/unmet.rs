@@ -5,14 +5,15 @@ use crate::texts::said;
 use configurator::{OfferDatum, Price, Unmet};
 use order_code::Brake;
 use quantities::unit::{DAY, KILOGRAM, MILLIMETRE, VOLT};
-use quantities::{Language, Measure, format_number};
+use quantities::{Language, Measure, Unit, digits_apart, format_number};
 
 /// Returns a requirement that is not met, as text.
 #[must_use]
 pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
-    let mm = |si| with_unit(si, &MILLIMETRE, 4, language);
-    let volt = |si| with_unit(si, &VOLT, 3, language);
-    let kg = |si: f64| format!("{} {}", format_number(KILOGRAM.from_si(si), 1, language), KILOGRAM.symbol);
+    let apart = |unit: &Unit, digits: usize, figures: [f64; 2]| {
+        let digits = digits_apart(figures.map(|si| unit.from_si(si)), digits);
+        figures.map(|si| with_unit(si, unit, digits, language))
+    };
     match unmet {
         Unmet::Feedback(feedback) => said!(language =>
             "encoder {feedback} is not permitted"
@@ -24,29 +25,37 @@ pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
         Unmet::Brake(Brake::With) => {
             said!(language => "version without brake required" | "Ausführung ohne Bremse gefordert")
         }
-        Unmet::HollowShaft { has, needs } => said!(language =>
-            "hollow shaft bore {} is smaller than {}"
-            | "Hohlwellendurchmesser {} ist kleiner als {}", mm(has.si()), mm(needs.si())
-        ),
+        Unmet::HollowShaft { has, needs } => {
+            let [has, needs] = apart(&MILLIMETRE, 4, [has.si(), needs.si()]);
+            said!(language =>
+                "hollow shaft bore {has} is smaller than {needs}"
+                | "Hohlwellendurchmesser {has} ist kleiner als {needs}"
+            )
+        }
         Unmet::Length { has, permits } => {
-            said!(language => "length {} exceeds {}" | "Länge {} überschreitet {}", mm(has.si()), mm(permits.si()))
+            let [has, permits] = apart(&MILLIMETRE, 4, [has.si(), permits.si()]);
+            said!(language => "length {has} exceeds {permits}" | "Länge {has} überschreitet {permits}")
         }
         Unmet::Mass { has, permits } => {
-            said!(language => "mass {} exceeds {}" | "Masse {} überschreitet {}", kg(has.si()), kg(permits.si()))
+            let [has, permits] = masses([has.si(), permits.si()], language);
+            said!(language => "mass {has} exceeds {permits}" | "Masse {has} überschreitet {permits}")
         }
-        Unmet::SupplyTooLow { needs, gives } => said!(language =>
-            "the supply corresponds to {} at the motor terminals (U_DC/√2), the winding requires {}"
-            | "die Versorgung entspricht {} an den Motorklemmen (U_DC/√2), die Wicklung erfordert {}", volt(gives.si()), volt(needs.si())
-        ),
+        Unmet::SupplyTooLow { needs, gives } => {
+            let [needs, gives] = apart(&VOLT, 3, [needs.si(), gives.si()]);
+            said!(language =>
+                "the supply corresponds to {gives} at the motor terminals (U_DC/√2), the winding requires {needs}"
+                | "die Versorgung entspricht {gives} an den Motorklemmen (U_DC/√2), die Wicklung erfordert {needs}"
+            )
+        }
         Unmet::Maker => {
             said!(language => "manufacturer not among the permitted ones" | "Hersteller nicht unter den zulässigen")
         }
         Unmet::Price { has, permits } => {
-            let [has, permits] = [has, permits].map(|price| price_text(price, language));
+            let [has, permits] = prices([has, permits], language);
             said!(language => "price {has} exceeds {permits}" | "Preis {has} überschreitet {permits}")
         }
         Unmet::LeadTime { has, permits } => {
-            let [has, permits] = [has, permits].map(|time| with_unit(time.si(), &DAY, 4, language));
+            let [has, permits] = apart(&DAY, 4, [has.si(), permits.si()]);
             said!(language => "lead time {has} exceeds {permits}" | "Lieferzeit {has} überschreitet {permits}")
         }
         Unmet::NotOffered(OfferDatum::Price) => {
@@ -65,7 +74,24 @@ pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
     }
 }
 
-/// Returns an amount of money with two decimals.
-fn price_text(price: &Price, language: Language) -> String {
-    format!("{} {}", format_number(price.amount, 2, language), price.currency)
+/// Formats two masses with the decimal of the catalogue, or with as many as tell them apart.
+fn masses(masses: [f64; 2], language: Language) -> [String; 2] {
+    let masses = masses.map(|si| KILOGRAM.from_si(si));
+    let decimals = decimals_apart(masses, 1);
+    masses.map(|mass| format!("{} {}", format_number(mass, decimals, language), KILOGRAM.symbol))
+}
+
+/// Formats two amounts of money with two decimals, or with as many as tell them apart.
+fn prices(prices: [&Price; 2], language: Language) -> [String; 2] {
+    let decimals = decimals_apart(prices.map(|price| price.amount), 2);
+    prices.map(|price| format!("{} {}", format_number(price.amount, decimals, language), price.currency))
+}
+
+/// Returns the count of decimals, `decimals` at least, with which two numbers that differ are written differently.
+fn decimals_apart(numbers: [f64; 2], decimals: usize) -> usize {
+    let is_apart = |decimals: usize| {
+        let [one, other] = numbers.map(|number| format_number(number, decimals, Language::En));
+        one != other
+    };
+    (decimals..=9).find(|decimals| is_apart(*decimals)).unwrap_or(decimals)
 }

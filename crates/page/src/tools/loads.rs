@@ -9,7 +9,7 @@ use maud::{Markup, html};
 use project::{Edit, edit, key_at, written};
 use quantities::Language;
 use questions::list::bearing::{bearing_checks, bearing_of_each_size};
-use questions::texts::{by_importance, checked_text, margin_text, percent, unit_text, verdict_text};
+use questions::texts::{by_importance, compared_texts, margin_text, percent, unit_text, verdict_text};
 use questions::{Candidate, Part, Unread, Verdict, read_all_watched, read_code};
 use words::{about_text, capitalised, grade_word, page, short_label, source_text, terminal, terms, title_of_check};
 
@@ -128,7 +128,7 @@ fn of_size(candidate: &Candidate<'_>, is_open: bool, language: Language) -> Mark
                 tbody { @for check in bearing_checks(candidate) { tr class=(verdict_class(check.verdict)) {
                     th scope="row" { (capitalised(&title_of_check(check, l))) }
                     td { span.verdict { (verdict_text(check, l)) } }
-                    td.number { (checked_text(check.id, check.value, l)) } td.number { (checked_text(check.id, check.limit, l)) }
+                    @for figure in compared_texts(check, l) { td.number { (figure) } }
                     td { (unit_text(check.value, l)) } td.number { (margin_text(check, l)) }
                     td.small {
                         @if let (Some(source), Some(grade)) = (&check.limit_source, check.grade) { (grade_word(grade, l)) ", " (source_text(source, l)) }

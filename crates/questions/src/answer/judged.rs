@@ -49,7 +49,7 @@ pub fn candidate(candidate: &Candidate<'_>, language: Language) -> answers::Cand
         make: candidate.is_among_makers.then(|| make(candidate)),
         verdict: fit(candidate),
         utilisation: Number(candidate.standing.utilisation),
-        tightest: judgement.governing().map(|check| Id(check.id)),
+        tightest: candidate.governing().map(|check| Id(check.id)),
         mass_kg: candidate.parameters.mass.known().map(|mass| Number::in_unit(mass.value.si(), &KILOGRAM)),
         mass_errata: candidate.parameters.mass.known().map_or_else(Vec::new, |mass| mass.errata.to_vec()),
         on_request: names(&candidate.on_request, language),

@@ -178,12 +178,13 @@ impl<'r> RowAxis<'r> {
     fn single(&self, entrant: &Entrant<'_>) -> Best {
         let judgement = sizing::judge(self.axis, &entrant.product.parameters, Scope::Deciding);
         let fit = entrant.standing(&judgement, entrant.meets(self.requirements)).fit;
+        let governing = judgement.governing_in(fit);
         Best {
             fit: u32::from(fit == Fit::Fits),
             fit_if_estimate: u32::from(fit == Fit::FitsIfEstimate),
             code: fit.fits().then(|| entrant.id.clone()),
             utilisation: finite(judgement.utilisation()),
-            tightest: judgement.governing().map(|check| check.id),
+            tightest: governing.map(|check| check.id),
         }
     }
 
@@ -200,7 +201,7 @@ impl<'r> RowAxis<'r> {
                 code: entrant.id.clone(),
                 fit: standing.fit,
                 utilisation: finite(standing.utilisation),
-                tightest: judgement.governing().map(|check| check.id),
+                tightest: judgement.governing_in(standing.fit).map(|check| check.id),
                 checks: wanted.iter().map(check).collect(),
             }
         };

@@ -29,6 +29,7 @@ mod handed_catalogue;
 mod identify;
 mod instants;
 mod limits;
+mod limits_apart;
 mod list;
 mod mains;
 mod manual_glossary;

@@ -136,13 +136,14 @@ fn miss(rejection: &Rejection, titles: &Titles, shown: &Formatter) -> Option<Mis
     let title = capitalised(&titles.of(check));
     // Beyond the end of the curve no torque is permitted: the utilisation is that of the speed.
     let is_beyond = check == CheckId::TorqueSpeedTrace && limit.0 == 0.0;
-    let figure = |number| if is_beyond { String::new() } else { shown.figure(number, unit) };
+    let [shown_value, shown_limit] =
+        if is_beyond { [String::new(), String::new()] } else { shown.figures_apart([value, limit], unit) };
     Some(Miss {
         code: rejection.code.clone(),
         check: if is_beyond { format!("{title}: {}", speed_beyond_the_curve(shown.0)) } else { title },
-        value: figure(value),
+        value: shown_value,
         relation: if is_beyond { "" } else { check.direction().relation(false, value.0, limit.0) },
-        limit: figure(limit),
+        limit: shown_limit,
         percent: rejection.utilisation.map(|share| shown.share(share)).unwrap_or_default(),
         further: rejection.failing.iter().filter(|id| ***id != check).map(|id| titles.of(**id)).collect(),
     })

@@ -127,6 +127,11 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Formatt
         };
         value.map(text).unwrap_or_default()
     };
+    let is_exceeded = *check.verdict == Verdict::Fail && *check.id != CheckId::Protection;
+    let [value, limit] = match (check.value, check.limit) {
+        (Some(value), Some(limit)) if is_exceeded => shown.figures_apart([value, limit], unit),
+        (value, limit) => [figure(value), figure(limit)],
+    };
     let along = |value: Option<Number>| {
         value.zip(travel).and_then(|(value, travel)| shown.along(value, unit, travel)).unwrap_or_default()
     };
@@ -141,8 +146,8 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Formatt
         part: check.part.id(),
         title: capitalised(&check.title),
         verdict: check.verdict.id(),
-        value: figure(check.value),
-        limit: of_zero.map_or_else(|| figure(check.limit), str::to_owned),
+        value,
+        limit: of_zero.map_or(limit, str::to_owned),
         line: [along(check.value), along(check.limit.filter(|_| of_zero.is_none()))],
         relation: both
             .filter(|_| of_zero.is_none())

@@ -2,7 +2,7 @@
 
 use answers::{Grade, Number};
 use chrono::NaiveDate;
-use quantities::{Language, Unit, format_number, format_significant, grouped};
+use quantities::{Language, Unit, digits_apart, format_number, format_significant, grouped};
 use words::percent_text;
 
 /// Formatter of numbers, units and dates for one language.
@@ -56,12 +56,19 @@ fn unit_at(text: &str) -> Option<&str> {
 /// Life \[h\] above which only the order of magnitude is stated: more than a century.
 const LIFE_MOST_H: f64 = 1e6;
 
+/// Significant digits of a number.
+const DIGITS: usize = 4;
+
 impl Formatter {
     /// Formats a number with four significant digits.
     pub(super) fn number(&self, value: Number) -> String {
+        self.number_with(value, DIGITS)
+    }
+
+    fn number_with(&self, value: Number, digits: usize) -> String {
         let Some(value) = value.written() else { return "∞".to_owned() };
         // An exact figure with fewer digits is not padded with zeros.
-        let text = format_significant(value, 4, self.0);
+        let text = format_significant(value, digits, self.0);
         let point = self.0.decimal_mark();
         let (mantissa, power) = text.split_at(text.find('·').unwrap_or(text.len()));
         let short =
@@ -91,9 +98,19 @@ impl Formatter {
 
     /// Formats a number with its unit.
     pub(super) fn figure(&self, value: Number, unit: &str) -> String {
+        self.figure_with(value, unit, DIGITS)
+    }
+
+    /// Formats a value beyond its limit and the limit, with as many digits as tell them apart.
+    pub(super) fn figures_apart(&self, numbers: [Number; 2], unit: &str) -> [String; 2] {
+        let digits = digits_apart(numbers.map(|number| number.0), DIGITS);
+        numbers.map(|number| self.figure_with(number, unit, digits))
+    }
+
+    fn figure_with(&self, value: Number, unit: &str, digits: usize) -> String {
         let is_rounding = Unit::of(unit).is_some_and(|unit| unit.is_below_resolution(value.0));
         let unit = self.unit(unit);
-        let number = if is_rounding { "0".to_owned() } else { self.number(value) };
+        let number = if is_rounding { "0".to_owned() } else { self.number_with(value, digits) };
         match unit.as_str() {
             "" => number,
             // A life beyond every machine: its digits say nothing.
