@@ -1,6 +1,6 @@
 //! The axis: load and motion, prepared once for all candidates.
 
-use crate::brake_times::{BrakeTimes, carried};
+use crate::brake_times::{BrakeTimes, OtherBrakes, carried};
 use crate::flange::{DerivedLoads, Known};
 use crate::requirements::AxisRequirements;
 use crate::resonance::{self, Held};
@@ -160,6 +160,7 @@ pub struct Axis {
     /// Further requirements.
     pub asked: AxisRequirements,
     pub(crate) brake_times: Option<BrakeTimes>,
+    pub(crate) other_brakes: OtherBrakes,
     pub(crate) moments: Moments,
     pub(crate) trace: Trace,
     pub(crate) held: OnceLock<Vec<Held>>,
@@ -223,6 +224,7 @@ impl Axis {
             supply: None,
             asked: AxisRequirements::default(),
             brake_times: None,
+            other_brakes: OtherBrakes::default(),
             moments,
             trace,
             flange_known: Known::default(),

@@ -2,17 +2,60 @@
 //! the brake.
 
 use crate::axis::Axis;
+use actuator::Brake;
 use motion::{Hold, Motion, Stretch};
+use provenance::Datum;
 use quantities::{Measure, Ratio, Time};
+use std::sync::{Arc, Mutex, PoisonError};
 use trace::Carried;
 
-/// Switching times of the brake of an axis, equal for every candidate, so that the demand is computed once.
+/// Switching times of the brakes for which the demand of an axis is computed: those of the catalogue, equal for every
+/// actuator whose brake does not state others ([`Axis::braked_by`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BrakeTimes {
     /// t_c: time to close.
     pub closing: Time,
     /// t_o: time to open.
     pub opening: Time,
+}
+
+impl BrakeTimes {
+    /// Returns the times of a brake: what it does not state is taken from those of the catalogue.
+    fn of(brake: &Brake, of_catalogue: Option<Self>) -> Option<Self> {
+        let stated = |time: &Datum<Time>| time.known().map(|known| known.value);
+        let closing = stated(&brake.closing_time).or(of_catalogue.map(|times| times.closing));
+        let opening = stated(&brake.opening_time).or(of_catalogue.map(|times| times.opening));
+        Some(Self { closing: closing?, opening: opening? })
+    }
+
+    /// Returns `true` if the times of a brake are not those of the catalogue.
+    pub(crate) fn are_others(brake: &Brake, of_catalogue: Option<Self>) -> bool {
+        Self::of(brake, of_catalogue).is_some_and(|times| of_catalogue != Some(times))
+    }
+}
+
+/// An axis with other brakes, by their times, as far as it was needed.
+///
+/// A copy of an axis, which may then be changed, has none.
+#[derive(Debug, Default)]
+pub(crate) struct OtherBrakes(Mutex<Vec<(BrakeTimes, Arc<Axis>)>>);
+
+impl Clone for OtherBrakes {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl OtherBrakes {
+    fn get(&self, times: BrakeTimes, make: impl FnOnce() -> Axis) -> Arc<Axis> {
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, axis)) = known.iter().find(|(of, _)| *of == times) {
+            return Arc::clone(axis);
+        }
+        let axis = Arc::new(make());
+        known.push((times, Arc::clone(&axis)));
+        axis
+    }
 }
 
 /// A segment of a rest that the brake holds: of consecutive dwells, over which it stays closed, also across the end of the
@@ -109,6 +152,24 @@ pub(crate) fn brakings(axis: &Axis) -> Brakings {
 }
 
 impl Axis {
+    /// Returns the axis as a brake that states times of its own holds it; `None` if it is this axis.
+    ///
+    /// T_rms, currents and heat depend on how long the motor holds the load while the brake closes and opens.
+    pub(crate) fn braked_by(&self, brake: &Brake) -> Option<Arc<Self>> {
+        if !BrakeTimes::are_others(brake, self.brake_times) {
+            return None;
+        }
+        let times = BrakeTimes::of(brake, self.brake_times)?;
+        if !self.motion.stretches().iter().any(|stretch| stretch.hold == Hold::Brake) {
+            return None;
+        }
+        Some(self.other_brakes.get(times, || {
+            let (mechanism, motion, extras) = (self.mechanism.clone(), self.motion.clone(), self.extras.clone());
+            let axis = Self { brake_times: Some(times), ..self.clone() };
+            axis.changed(mechanism, motion, extras)
+        }))
+    }
+
     /// Returns the share of the cycle in which the brake is kept open and its coil draws current.
     ///
     /// s = 1 − Σ (t_r − t_o)/t_0 over the rests t_r that the brake holds: the coil is without current from the beginning

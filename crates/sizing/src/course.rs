@@ -106,6 +106,8 @@ impl Course {
     /// Samples the cycle; `parts`: number of parts of a piece by its beginning and its duration \[s\]; `group`: number
     /// of recorded intervals from an instant on that form a group.
     fn sampled(axis: &Axis, actuator: &Parameters, fine: Fineness<'_>) -> Self {
+        let braked = axis.braked_by(&actuator.brake);
+        let axis = braked.as_deref().unwrap_or(axis);
         let inertia = actuator.inertia_out.known().map_or(0.0, |own| own.value.si());
         let stall = actuator.stall_current.known().map(|stall| stall.value.si());
         let electrics = Electrics::of(axis, actuator);

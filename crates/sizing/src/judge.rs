@@ -185,7 +185,7 @@ pub struct Judge<'a> {
 }
 
 /// Checks that a judge makes, by the actuators that share their results, each list in order.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Selected {
     own: Vec<CheckId>,
     of_drivetrain: Vec<CheckId>,
@@ -233,6 +233,10 @@ impl<'a> Judge<'a> {
 
     /// Judges one actuator.
     pub fn next(&mut self, actuator: &Parameters, naming: Naming<'_>) -> Judgement {
+        if let Some(axis) = self.axis.braked_by(&actuator.brake) {
+            let (checks, shared) = (self.checks.clone(), Shared::default());
+            return Judge { axis: &axis, checks, shared, ..*self }.next(actuator, naming);
+        }
         let Self { axis, scope, depth, explain, ref checks, ref mut shared } = *self;
         let inertia = actuator.inertia_out.known().map(|known| known.value);
         let demand = inertia.map(|inertia| axis.demand(inertia));

@@ -170,6 +170,8 @@ impl Operation {
     /// The cycle of an axis on an actuator; `None` if J_out is not known.
     #[must_use]
     pub fn of(axis: &Axis, actuator: &Parameters) -> Option<Self> {
+        let braked = axis.braked_by(&actuator.brake);
+        let axis = braked.as_deref().unwrap_or(axis);
         let inertia = actuator.inertia_out.known()?.value;
         let demand = axis.demand(inertia);
         let inertia = inertia.si();

@@ -413,7 +413,12 @@ impl Axis {
     }
 
     /// Returns the axis with another mechanism, motion or additional loads, and unchanged requirements.
-    fn changed(&self, mechanism: mechanism::Mechanism, motion: motion::Motion, extras: Vec<mechanism::Extra>) -> Self {
+    pub(crate) fn changed(
+        &self,
+        mechanism: mechanism::Mechanism,
+        motion: motion::Motion,
+        extras: Vec<mechanism::Extra>,
+    ) -> Self {
         let trace = self.trace.changed(&mechanism, &motion, &extras, &carried(&motion, self.brake_times.as_ref()));
         let prepared = Self::with_trace(mechanism, motion, extras, trace);
         Self {

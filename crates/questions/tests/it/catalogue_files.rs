@@ -14,7 +14,7 @@ const HEAD: &str = "format = 1\n[load]\ninertia = \"1.3 kg m^2\"\nfriction_torqu
     [bearing]\nradial_force = \"900 N\"\nradial_distance = \"80 mm\"\n[requirements]\nambient = \"30 degC\"\n";
 
 /// Files in memory.
-struct Memory(BTreeMap<&'static str, String>);
+pub(crate) struct Memory(pub(crate) BTreeMap<&'static str, String>);
 
 impl Files for Memory {
     fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {

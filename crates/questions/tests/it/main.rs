@@ -4,6 +4,7 @@ mod agree;
 mod another_series;
 mod answers_page;
 mod begins_in_motion;
+mod brake_times;
 mod cam_table;
 mod catalogue_check;
 mod catalogue_files;

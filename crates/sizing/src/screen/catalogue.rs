@@ -2,6 +2,7 @@
 
 use super::figures::all;
 use crate::axis::Axis;
+use crate::brake_times::BrakeTimes;
 use crate::check::{CheckId, Verdict};
 use crate::electrics::{CurrentLaw, Electrics};
 use actuator::{Drivetrain, FrictionAt, HeatModel, MotorVoltage, NoLoadFriction, OutputBearing, Parameters, ShortTime};
@@ -373,6 +374,10 @@ impl<'p> Conditions<'p> {
         let places: Vec<_> = drives.iter().map(|drive| drive.as_ref().and_then(place)).collect();
         let groups = screen.groups(axis);
         let known = |group: &Group| {
+            // Bounds hold for the demand with the brakes of the catalogue.
+            if BrakeTimes::are_others(&group.representative.brake, axis.brake_times) {
+                return None;
+            }
             let drive = drives.get(group.drive)?.as_ref()?;
             Some((drive, places.get(group.drive)?.as_ref()?))
         };
