@@ -52,8 +52,8 @@ pub enum Assumption {
     PayloadInertiaWeightless,
     /// With a stage the mechanism does not load the flange.
     MechanismOnOwnBearings,
-    /// The best of several ratios was chosen.
-    StageRatioChosen,
+    /// Of several ratios of the stage this one is used, that of the best actuator of the catalogue.
+    StageRatioChosen(f64),
     /// The law of a move is not decided.
     LawOpen,
     /// Neither duration nor distance of a constant speed is stated: one revolution.
@@ -163,7 +163,7 @@ impl Assumption {
         Self::Default(KeyDefault::StageWithoutInertia),
         Self::Default(KeyDefault::StageRigid),
         Self::Default(KeyDefault::StageNoBacklash),
-        Self::StageRatioChosen,
+        Self::StageRatioChosen(2.5),
         Self::Default(KeyDefault::NoLosses),
         Self::Default(KeyDefault::LossesDoNotHelp),
         Self::Default(KeyDefault::TravelHorizontal),

@@ -156,7 +156,7 @@ impl AxisProject {
         let mut report = AxisReport::new("");
         let draft = prepare(&root, &*self.catalogue, &mut report).filter(|_| report.fault_count() == 0)?;
         let axis = finish(&root, draft);
-        let assumptions = assumptions(&root, &axis, !self.tolerances.is_empty());
+        let assumptions = self.assumptions_of(&root, &axis);
         Some(Self { axis, root, assumptions, ..self.clone() })
     }
 
@@ -201,13 +201,25 @@ impl AxisProject {
         Some(choose(ratios, &with_ratio).unwrap_or_else(|| project.clone()))
     }
 
+    /// Returns the defaults used by a variant of the project. Its root has the chosen ratio in place of the stated ones, whose
+    /// choice is said all the same.
+    fn assumptions_of(&self, root: &AxisSource, axis: &Axis) -> Vec<Assumption> {
+        let mut found = assumptions(root, axis, !self.tolerances.is_empty());
+        let is_choice = |each: &Assumption| matches!(each, Assumption::StageRatioChosen(_));
+        if let Some(place) = self.assumptions.iter().position(is_choice).filter(|_| !found.iter().any(is_choice)) {
+            let chosen = Assumption::StageRatioChosen(axis.mechanism.stage_ratio());
+            found.insert(place.min(found.len()), chosen);
+        }
+        found
+    }
+
     /// Returns the project with one ratio instead of several; `None` if that axis is impossible.
     fn with_ratio(&self, root: &AxisSource, ratio: f64) -> Option<Self> {
         let mut root = root.clone();
         root.set_ratio(ratio);
         let draft = prepare(&root, &*self.catalogue, &mut AxisReport::new(""))?;
         let axis = finish(&root, draft);
-        let assumptions = assumptions(&root, &axis, !self.tolerances.is_empty());
+        let assumptions = self.assumptions_of(&root, &axis);
         Some(Self { axis, root, assumptions, ..self.clone() })
     }
 }

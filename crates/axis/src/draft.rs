@@ -33,7 +33,7 @@ pub(crate) fn assumptions(root: &AxisSource, axis: &Axis, toleranced: bool) -> V
     found.extend(order::unusual(&root.parts));
     found.extend(requirements::link_notes(required));
     if let Some(stage) = root.parts.stage.get() {
-        stage::assumptions(stage, &mut found);
+        stage::assumptions(stage, axis.mechanism.stage_ratio(), &mut found);
     }
     flange::assumptions(root, &mut found);
     found.extend(unstated(&required.special_application));

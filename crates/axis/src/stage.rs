@@ -53,12 +53,12 @@ pub(crate) fn build(section: &StageSection, report: &mut AxisReport<'_>) -> Opti
     })
 }
 
-/// Adds the defaults about the stage that the file leaves open.
-pub(crate) fn assumptions(section: &StageSection, found: &mut Vec<Assumption>) {
+/// Adds the defaults about the stage that the file leaves open, and the ratio in use if several are stated.
+pub(crate) fn assumptions(section: &StageSection, ratio: f64, found: &mut Vec<Assumption>) {
     found.extend(unstated(&section.efficiency).or_else(|| unstated(&section.efficiency_back)));
     found.extend(unstated(&section.inertia_driven).filter(|_| !section.inertia_driving.is_given()));
     found.extend([unstated(&section.stiffness), unstated(&section.backlash)].into_iter().flatten());
     if section.ratios.is_given() {
-        found.push(Assumption::StageRatioChosen);
+        found.push(Assumption::StageRatioChosen(ratio));
     }
 }

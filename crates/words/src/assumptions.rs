@@ -302,10 +302,13 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "no backlash of the stage given (stage.backlash): the stage has no backlash",
             "kein Spiel der Stufe angegeben (stage.backlash): die Stufe hat kein Spiel",
         ),
-        Assumption::StageRatioChosen => (
-            "several ratios of the stage stated (stage.ratios): the one with the best actuator of the catalogue is used",
-            "mehrere Übersetzungen der Stufe angegeben (stage.ratios): verwendet wird die mit dem besten Antrieb des Katalogs",
-        ),
+        Assumption::StageRatioChosen(ratio) => {
+            let ratio = format_significant(ratio, 4, language);
+            return said!(language =>
+                "ratio of the stage {ratio}: of the stated ones (stage.ratios) that with the best actuator of the catalogue; for another actuator state stage.ratio"
+                | "Übersetzung der Stufe {ratio}: von den angegebenen (stage.ratios) die mit dem besten Antrieb des Katalogs; für einen anderen Antrieb stage.ratio angeben"
+            );
+        }
         Assumption::MechanismOnOwnBearings => (
             "with a stage the mechanism has its own bearings: the flange carries the loads of the stage only",
             "mit Zwischenstufe ist die Mechanik eigens gelagert: der Flansch nimmt nur die Kräfte der Stufe auf",

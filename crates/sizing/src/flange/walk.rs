@@ -332,10 +332,12 @@ impl<'a> Walk<'a> {
     /// Searches between the nodes around an inner maximum if the parabola through three nodes indicates a larger value.
     fn peaks_between(&mut self, piece: &Piece, sense: f64, nodes: &[(f64, Values); NODES]) {
         for which in 0..4 {
-            for trio in nodes.windows(3) {
+            for (place, trio) in nodes.windows(3).enumerate() {
                 let [a, b, c] = trio else { continue };
                 let [a, b, c] = [a, b, c].map(|(t, values)| (*t, values.get(which).copied().unwrap_or(0.0)));
-                if b.1 < a.1 || b.1 < c.1 {
+                // Between the first two nodes, and the last two, the larger one may be the end.
+                let is_at_an_end = place == 0 || place + 3 == NODES;
+                if !is_at_an_end && (b.1 < a.1 || b.1 < c.1) {
                     continue;
                 }
                 let best = self.loads.turning.each().get(which).map_or(0.0, |peak| peak.value());
