@@ -143,7 +143,7 @@ fn into_file(
     let opened = table.open(0, PART).map(|batches| (table, batches));
     let ready = match opened {
         Ok((table, batches)) => {
-            let options = args.options(inquiry.catalogue, batches.has_decimal_commas(), language)?;
+            let options = args.options(inquiry.catalogue, batches.commas(), language)?;
             let repeats = if wanted.is_some() { Repeats::Values } else { Repeats::Labels };
             let mut head = BatchHead::read(text, projects, &batches.schema(), repeats, options);
             head.refuse_unwritable(&batches.schema(), language);
@@ -151,7 +151,7 @@ fn into_file(
         }
         Err(unread) => Err(Unanswered::combined(projects.err().into_iter().chain([unread]).collect())),
     };
-    let (table, sweep, rows, answers) = match (ready, place) {
+    let (table, sweep, [rows, comments], answers) = match (ready, place) {
         (Ok((table, sweep, rows)), Ok(answers)) => (table, sweep, rows, answers),
         (ready, place) => return Err(Unanswered::combined(ready.err().into_iter().chain(place.err()).collect())),
     };
@@ -174,6 +174,9 @@ fn into_file(
     let carried = sweep.carried().collect::<Vec<_>>().join(", ");
     if !carried.is_empty() {
         talk += &format!("{}\n", sweeps::carried(&carried, language));
+    }
+    if comments > 0 {
+        talk += &format!("{}\n", words::terminal::comments_passed_over(&comments, language));
     }
     talk += &parts.remark(rows);
     if let Err(why) = parts.judged(&table, &sweep, rows, inquiry) {

@@ -30,6 +30,7 @@ use configurator::ProductId;
 use project::{Edit, Fault, Heading, edit};
 use quantities::Language;
 use rayon::prelude::*;
+use recording::Commas;
 use sizing::{CheckId, StepObserver};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -63,8 +64,8 @@ pub struct Options {
     pub axis: Option<String>,
     /// Answer for each row.
     pub wanted: Wanted,
-    /// Permits decimal commas in numbers given as text.
-    pub decimal_commas: bool,
+    /// Commas that numbers given as text may have.
+    pub commas: Commas,
     /// Language of the reasons.
     pub language: Language,
 }
@@ -76,7 +77,7 @@ impl Default for Options {
             catalogue: Arc::clone(embedded_catalogue()),
             axis: None,
             wanted: Wanted::default(),
-            decimal_commas: false,
+            commas: Commas::None,
             language: Language::default(),
         }
     }
@@ -145,7 +146,7 @@ impl Sweep {
     /// cell that is none.
     #[must_use]
     pub fn column_numbers(&self, place: usize, cells: &Cells<'_>) -> Vec<Option<f64>> {
-        let number = |row| match self.columns.get(place)?.value(cells, row, self.options.decimal_commas).ok()? {
+        let number = |row| match self.columns.get(place)?.value(cells, row, self.options.commas).ok()? {
             Value::Number(number) => Some(number),
             Value::Text(_) => None,
         };
@@ -283,7 +284,7 @@ impl Sweep {
         let mut values = Vec::with_capacity(self.columns.len());
         let mut faults: Vec<String> = Vec::new();
         for (column, cells) in self.columns.iter().zip(cells) {
-            match column.value(cells, row, self.options.decimal_commas) {
+            match column.value(cells, row, self.options.commas) {
                 Ok(value) => values.push(value),
                 Err(fault) => faults.push(words::fault_text(&fault, language)),
             }

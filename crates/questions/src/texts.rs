@@ -521,6 +521,9 @@ pub fn recording_text(read: &RecordingRead, language: Language) -> String {
     if let Some(unused) = unused_text(&read.recording.unused, language) {
         what = format!("{what}; {unused}");
     }
+    if read.recording.comments > 0 {
+        what = format!("{what}; {}", terminal::comments_passed_over(&read.recording.comments, language));
+    }
     if let Some(guess) = encoding_guess(read.recording.encoding, language) {
         what.push_str("; ");
         what.push_str(&guess);

@@ -5,7 +5,7 @@ use crate::clock::is_clock;
 use crate::encoding;
 use crate::faults::Fault;
 use crate::limits::TABLE_COLUMNS_MAX;
-use crate::lines::Lines;
+use crate::lines::{Lines, is_marked_row};
 use crate::names::is_usual_name;
 use crate::number::{Decimals, with_unit};
 use crate::series::Encoding;
@@ -60,9 +60,8 @@ impl<R: Read> Ahead<R> {
         let mut found = None;
         let mut is_end = false;
         let mut headers = Headers::default();
-        let mut comment = None;
         while found.is_none() && !is_end && seen.len() < LINES_MOST && bytes < BYTES_MOST {
-            match self.lines.advance() {
+            match self.lines.advance_to(|line| follows(&seen, line)) {
                 Ok(true) => {}
                 Ok(false) => is_end = true,
                 Err(fault) if seen.is_empty() => return Err(fault),
@@ -89,9 +88,6 @@ impl<R: Read> Ahead<R> {
                     seen.clear();
                     continue;
                 }
-                if seen.is_empty() {
-                    comment = self.lines.comment().cloned();
-                }
                 seen.push((self.lines.number(), line));
             }
             if (seen.len() == 2 || is_end && seen.len() == 1)
@@ -104,6 +100,7 @@ impl<R: Read> Ahead<R> {
             // A row counts once the next one confirms it or the file ends.
             if let Some((row, number, headings, delimiter)) = headers.scope(&seen) {
                 self.queue = std::iter::once((number, headings)).chain(seen.drain(row..)).collect();
+                self.take_comments(delimiter, u64::MAX);
                 return Ok(Some(HeadingPlace { delimiter, is_missing: false, notes: None }));
             }
             let row = if is_end { seen.len().checked_sub(1) } else { seen.len().checked_sub(2) };
@@ -121,17 +118,42 @@ impl<R: Read> Ahead<R> {
         let (start, mut answer) = found.unwrap_or_else(|| {
             (0, HeadingPlace { delimiter: stated.unwrap_or_else(|| delimiter(first)), is_missing: false, notes: None })
         });
-        // `# t [s],q [deg]` of np.savetxt.
-        let names = comment.filter(|(_, line)| answer.is_missing && is_heading_of(line, first, answer.delimiter));
-        self.queue = seen.into_iter().skip(start).collect();
+        let heading = marked_heading(self.lines.kept(), &seen, start, answer);
+        self.queue = seen.into_iter().skip(heading.as_ref().map_or(start, |marked| marked.below)).collect();
         if let Some(notes) = answer.notes {
             let _ = self.queue.remove(notes);
         }
-        if let Some(names) = names {
-            self.queue.push_front(names);
-            answer.is_missing = false;
+        let mut used = 0;
+        if let Some(marked) = heading {
+            used = marked.last;
+            marked.lines.into_iter().rev().for_each(|line| self.queue.push_front(line));
+            (answer.is_missing, answer.delimiter) = (false, marked.delimiter);
         }
+        self.take_comments(answer.delimiter, used);
         Ok(Some(answer))
+    }
+
+    /// Adds the comments below the heading that are rows to the lines; `used` is the number of the last comment that is part of the
+    /// heading.
+    fn take_comments(&mut self, delimiter: u8, used: u64) {
+        let Some((first, heading)) = self.queue.front() else { return };
+        let (first, form) = (*first, (delimiter, split(heading, delimiter).map_or(0, |cells| cells.len())));
+        for (number, line) in self.lines.take_kept(form) {
+            if number <= first.max(used) {
+                continue;
+            }
+            if is_marked_row(&line, form) {
+                let place = self.queue.partition_point(|(other, _)| *other < number);
+                self.queue.insert(place, (number, line));
+            } else {
+                self.lines.count_comment();
+            }
+        }
+    }
+
+    /// Returns the number of comments below the heading so far.
+    pub(crate) const fn comments(&self) -> u64 {
+        self.lines.comments()
     }
 
     /// Returns `true` if no heading was found, and two successive lines hold numbers separated by spaces alone.
@@ -148,7 +170,7 @@ impl<R: Read> Ahead<R> {
         let mut seen: Vec<(u64, Vec<u8>)> = Vec::new();
         let (mut stated, mut bytes, mut found) = (None, 0, None);
         while found.is_none() && seen.len() < LINES_MOST && bytes < BYTES_MOST {
-            match self.lines.advance() {
+            match self.lines.advance_to(|line| follows(&seen, line)) {
                 Ok(true) => {}
                 Ok(false) => break,
                 Err(fault) if seen.is_empty() => return Err(fault),
@@ -166,12 +188,29 @@ impl<R: Read> Ahead<R> {
                 continue;
             }
             bytes += line.len();
+            let number = self.lines.number();
             found = delimiter_of_names(line, stated, &is_known).map(|sign| (seen.len(), sign));
-            seen.push((self.lines.number(), line.to_vec()));
+            // A comment with known names directly above a line with as many cells.
+            let above = self
+                .lines
+                .kept()
+                .back()
+                .filter(|(comment, _)| found.is_none() && seen.last().is_none_or(|(before, _)| before < comment));
+            if let Some((comment, text)) = above {
+                let names = unmarked(text);
+                let sign = delimiter_of_names(&names, stated, &is_known);
+                let count = |line: &[u8], sign: u8| split(line, sign).map(|cells| cells.len());
+                if let Some(sign) = sign.filter(|sign| count(&names, *sign) == count(line, *sign)) {
+                    found = Some((seen.len(), sign));
+                    seen.push((*comment, names));
+                }
+            }
+            seen.push((number, line.to_vec()));
         }
         let Some((_, first)) = seen.first() else { return Ok(None) };
         let (place, sign) = found.unwrap_or_else(|| (0, stated.unwrap_or_else(|| of_headings(first))));
         self.queue = seen.into_iter().skip(place).collect();
+        self.take_comments(sign, 0);
         Ok(Some(sign))
     }
 
@@ -281,10 +320,90 @@ pub(crate) fn is_spaced_row(line: &[u8]) -> bool {
     text.trim().contains(' ') && cells.all(|cell| Decimals::is_number(cell) || is_clock(cell))
 }
 
-/// Returns `true` if a comment has a name for each cell of a row, one of them usual.
-fn is_heading_of(comment: &[u8], row: &[u8], delimiter: u8) -> bool {
-    let (Some(names), Some(cells)) = (split(comment, delimiter), split(row, delimiter)) else { return false };
-    names.len() == cells.len() && values(&names).0 == 0 && names.iter().any(|name| is_usual_name(name))
+/// Returns `true` if a comment is a row below the last line: as many cells, most of them numbers.
+fn follows(seen: &[(u64, Vec<u8>)], comment: &[u8]) -> bool {
+    let Some((_, last)) = seen.last() else { return false };
+    DELIMITERS.into_iter().any(|sign| {
+        let count = split(last, sign).map_or(0, |cells| cells.len());
+        count > 1 && split(comment, sign).is_some_and(|cells| cells.len() == count && is_row(&cells))
+    })
+}
+
+/// Returns a comment without its sign.
+fn unmarked(comment: &[u8]) -> Vec<u8> {
+    comment.strip_prefix(b"#").unwrap_or(comment).trim_ascii().to_vec()
+}
+
+/// A heading in comments.
+struct MarkedHeading {
+    /// Line of the names, and that of the units if both are comments.
+    lines: Vec<(u64, Vec<u8>)>,
+    delimiter: u8,
+    /// Number of the last comment.
+    last: u64,
+    /// Index of the first line below it.
+    below: usize,
+}
+
+/// Returns the heading in the comments directly above the rows, `# t [s],q [deg]`: as many names as a row has cells, one of them usual,
+/// and no number. A line of units may stand below it. A heading with usual names that is no comment comes first.
+fn marked_heading(
+    kept: &VecDeque<(u64, Vec<u8>)>,
+    seen: &[(u64, Vec<u8>)],
+    start: usize,
+    answer: HeadingPlace,
+) -> Option<MarkedHeading> {
+    let cells_of = |line: &[u8], sign: u8| split(line, sign).filter(|cells| cells.len() > 1);
+    let usual = |cells: &[String]| cells.iter().any(|cell| is_usual_name(cell));
+    let are_units = |cells: &[String]| cells.iter().all(|cell| is_unit(cell));
+    // The comments between a line and the one above it, the lowest first.
+    let above = |place: usize| {
+        let least = place.checked_sub(1).and_then(|before| seen.get(before)).map_or(0, |(number, _)| *number);
+        let most = seen.get(place).map_or(0, |(number, _)| *number);
+        kept.iter().rev().filter(move |(number, _)| *number > least && *number < most)
+    };
+    let names_above = |place: usize, sign: u8| {
+        let count = cells_of(&seen.get(place)?.1, sign)?.len();
+        let mut comments = above(place).map(|(number, line)| (*number, unmarked(line)));
+        let (last, lowest) = comments.next()?;
+        let fitting = |line: &[u8]| cells_of(line, sign).filter(|cells| cells.len() == count && values(cells).0 == 0);
+        let cells = fitting(&lowest)?;
+        if usual(&cells) && !are_units(&cells) {
+            return Some(MarkedHeading { lines: vec![(last, lowest)], delimiter: sign, last, below: place });
+        }
+        let (number, names) = comments.next().filter(|_| are_units(&cells))?;
+        let is_heading = fitting(&names).is_some_and(|names| usual(&names));
+        is_heading.then(|| MarkedHeading {
+            lines: vec![(number, names), (last, lowest)],
+            delimiter: sign,
+            last,
+            below: place,
+        })
+    };
+    let sign = answer.delimiter;
+    if answer.is_missing {
+        return names_above(start, sign);
+    }
+    let heading = cells_of(&seen.get(start)?.1, sign);
+    if heading.as_ref().is_some_and(|cells| usual(cells) && !are_units(cells)) {
+        return None;
+    }
+    // Units that are no comment, below names that are one.
+    if heading.is_some_and(|cells| are_units(&cells))
+        && let Some(found) = names_above(start, sign)
+    {
+        return Some(found);
+    }
+    // Rows below lines about the file.
+    let is_row_at = |place: usize, sign: u8| {
+        seen.get(place).and_then(|(_, line)| cells_of(line, sign)).is_some_and(|cells| is_row(&cells))
+    };
+    (start + 1..seen.len()).find_map(|place| {
+        let first = above(place).next()?;
+        let sign = delimiter(&first.1);
+        let confirms = seen.get(place + 1).is_none() || is_row_at(place + 1, sign);
+        names_above(place, sign).filter(|_| is_row_at(place, sign) && confirms)
+    })
 }
 
 /// Counts the numbers and clock times among the non-empty cells, and the non-empty cells.

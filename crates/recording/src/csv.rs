@@ -17,7 +17,7 @@ use crate::memory::Memory;
 use crate::number::{Bad, Decimals, Tick, finite, plain, with_unit};
 use crate::plain::{PlainRows, Written, plain_time};
 use crate::series::{Encoding, KnownBy, Recording};
-use crate::thousands::Thousands;
+use crate::thousands::{Commas, Rows, Thousands};
 use memchr::memchr;
 use quantities::Unit;
 use quantities::unit::SECOND;
@@ -198,6 +198,8 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
     wanted.channels = columns.len().saturating_sub(1);
     let used: Vec<usize> =
         wanted.indices.iter().copied().chain(wanted.beside.iter().map(|(index, _)| *index)).collect();
+    wanted.is_open =
+        found.delimiter == b',' && wanted.named < wanted.fields && used.iter().all(|index| *index < wanted.named);
     let mut unused = unused(&headings, layout, &used);
     // The index of a data frame has no heading.
     let has_value = |index: usize| first_row.get(index).is_some_and(|cell| !cell.trim_ascii().is_empty());
@@ -221,11 +223,12 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
         return gather.finish(faults);
     }
     // In a comma-separated file a decimal comma must be quoted.
-    let is_plain = cells.delimiter == b',' && memchr(b'"', lines.line()).is_none();
-    let mut decimals = if is_plain { Decimals::PointAlways } else { Decimals::Undecided };
+    let commas = Commas::of(cells.delimiter, memchr(b'"', lines.line()).is_some());
+    wanted.thousands = Thousands::of(commas);
+    let mut decimals = if commas.may_be_decimal() { Decimals::Undecided } else { Decimals::PointAlways };
     let is_read = read_rows(&mut lines, &mut wanted, &mut cells, &mut decimals, &mut gather, faults);
     if decimals != Decimals::PointAlways
-        && let Some(found) = wanted.thousands.mixed().next()
+        && let Some(found) = wanted.thousands.possible(Rows::Samples).next()
     {
         // Numbers that may be a thousand times larger make every other fault of a cell doubtful.
         *faults = FaultCollector::default();
@@ -238,7 +241,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
     wanted.end(&gather, faults);
     is_read?;
     let encoding = Some(if is_utf8 { lines.encoding() } else { Encoding::Windows1252Guessed });
-    gather.finish(faults).map(|recording| Recording { encoding, unused, ..recording })
+    gather.finish(faults).map(|recording| Recording { encoding, unused, comments: lines.comments(), ..recording })
 }
 
 /// Reads all rows, of which the first is the current line; returns `None` after a fault that ends the reading.
@@ -263,9 +266,8 @@ fn read_rows(
         if !going_on || faults.enough() {
             return None;
         }
-        let is_certain = *decimals == Decimals::PointAlways || wanted.thousands.is_decimal();
         if let Some(sign) = decimals.sign()
-            && is_certain
+            && wanted.is_certain(*decimals)
             && wanted.is_plain()
             && wanted.no_rows.is_empty()
             && wanted.blank.is_none()
@@ -300,6 +302,8 @@ struct Wanted {
     fields: usize,
     /// Number of columns without the nameless ones at the end.
     named: usize,
+    /// Commas separate the cells, and the last columns have neither a name nor a role.
+    is_open: bool,
     /// Rows differ from the heading in empty cells at their end, which the reader of plain rows does not allow.
     is_padded: bool,
     indices: Vec<usize>,
@@ -397,9 +401,24 @@ impl Wanted {
         Ok(cell.get(..number.len()).unwrap_or_default())
     }
 
+    /// Returns `true` if the decimal sign is beyond doubt.
+    const fn is_certain(&self, decimals: Decimals) -> bool {
+        decimals.is_point_for(self.thousands.commas()) || self.thousands.is_decimal()
+    }
+
+    /// Returns `true` if a row has a number without a sign below the empty end of a heading: the comma before it may stand in a number.
+    fn has_more(&self, line: &[u8], cells: &mut CellSplitter) -> bool {
+        let is_rest = |cell: &Vec<u8>| {
+            let text = encoding::text(cell.trim_ascii());
+            text.starts_with(|sign: char| sign.is_ascii_digit()) && Decimals::is_number(&text)
+        };
+        self.is_open && cells.try_all(line).is_some_and(|all| all.iter().skip(self.named).any(is_rest))
+    }
+
     /// Returns `true` if a row consists of the time and the values, all plain numbers.
     fn is_plain(&self) -> bool {
         !self.is_padded
+            && !self.is_open
             && self.of_cells.iter().all(Option::is_none)
             && matches!(self.form, TimeForm::Number)
             && self.indices.len() == self.channels + 1
@@ -501,7 +520,15 @@ fn row(
         wanted.no_row(ragged(line, (number, found, expected), may_be_twice), gather, faults);
         return true;
     }
-    if *decimals != Decimals::PointAlways && !wanted.thousands.is_decimal() {
+    if wanted.is_open {
+        if wanted.has_more(line, cells) {
+            let (found, expected) = (count, wanted.named);
+            wanted.no_row(Fault::CommasTwice { line: number, found, expected }, gather, faults);
+            return true;
+        }
+        let _ = cells.split(line, &wanted.indices);
+    }
+    if !wanted.is_certain(*decimals) {
         for (column, cell) in cells.found(line).enumerate() {
             let bare = wanted.number(column, cell).unwrap_or(cell);
             let text = encoding::text(bare);

@@ -34,6 +34,8 @@ pub(crate) fn cell_fault(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Faul
         };
     };
     match bad {
+        // Where commas do not separate the cells, a single number with the other sign is one of two decimal signs.
+        Bad::Unreadable if may_be_grouped(&text) => Fault::ThousandsGrouped { at, column, text },
         Bad::Unreadable | Bad::Mixed(_) if is_grouped(&text) => Fault::ThousandsGrouped { at, column, text },
         Bad::Missing => Fault::ValueMissing { at, column },
         Bad::Unreadable | Bad::OtherUnit(_) => Fault::ValueUnreadable { at, column, text: Some(text) },
@@ -84,7 +86,7 @@ const NO_VALUES: [&str; 24] = [
 /// Returns the text of a cell for a fault if it is written like a number or a time of day, or stands for a missing one; other text
 /// of a file is not quoted.
 fn shown(cell: &str) -> Option<String> {
-    let may_stand = |sign: char| sign.is_ascii_digit() || "+-.,:/'’ eE\u{a0}\u{202f}".contains(sign);
+    let may_stand = |sign: char| sign.is_ascii_digit() || "#+-.,:/'’ eE\u{a0}\u{202f}".contains(sign);
     let is_number = cell.chars().all(may_stand) && cell.contains(|sign: char| sign.is_ascii_digit());
     let word = cell.trim_start_matches(['+', '-']).to_lowercase();
     let is_word = NO_VALUES.contains(&word.as_str()) || !cell.is_empty() && cell.chars().all(|sign| sign == '-');

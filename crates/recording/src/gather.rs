@@ -365,6 +365,7 @@ impl<'m> Gather<'m> {
             columns: std::mem::take(&mut self.columns),
             encoding: None,
             unused: Vec::new(),
+            comments: 0,
             revolutions_removed,
             left_out_before: self.before,
             left_out_after: self.after,

@@ -1,10 +1,14 @@
 //! Line reader with a bounded buffer, for text of any length.
 
+use crate::cells::split;
+use crate::clock::is_clock;
 use crate::encoding::Utf8;
 use crate::faults::Fault;
 use crate::limits::{BLANK_BYTES_MAX, LINE_BYTES_MAX, Limit};
+use crate::number::is_value;
 use crate::series::Encoding;
 use memchr::{memchr, memchr2, memrchr};
+use std::collections::VecDeque;
 use std::io::{ErrorKind, Read};
 use std::ops::Range;
 
@@ -12,10 +16,11 @@ use std::ops::Range;
 /// threads that read numbers.
 const BUFFER_BYTES: usize = 16 * LINE_BYTES_MAX;
 
-/// Lines at the beginning of a file among which a comment may be the heading.
-const COMMENTS_MOST: u64 = 200;
+/// Bytes of comments above the rows that are kept, as a comment may be the heading or a row.
+const COMMENT_BYTES_MOST: usize = 1 << 20;
 
-/// Reader of lines with content; comments (`#`) and empty lines are skipped but counted.
+/// Reader of lines with content; comments (`#`) and empty lines are skipped but counted. Once the form of the rows is known, a line
+/// that begins with `#` and is a row by its cells is none of the comments.
 pub(crate) struct Lines<R> {
     source: Utf8<R>,
     buffer: Vec<u8>,
@@ -32,8 +37,22 @@ pub(crate) struct Lines<R> {
     in_long: bool,
     /// Number of bytes since the last line with content.
     blank: u64,
-    /// The last comment before the current line, without its `#`, at the beginning of the file.
-    comment: Option<(u64, Vec<u8>)>,
+    /// Comments above the rows with their `#`, the last of them if there are many.
+    kept: VecDeque<(u64, Vec<u8>)>,
+    kept_bytes: usize,
+    /// Delimiter and number of the cells of a row, once the heading was found.
+    form: Option<(u8, usize)>,
+    /// Number of comments below the heading.
+    comments: u64,
+}
+
+/// Returns `true` if a line that begins with `#` is a row: it has as many cells as the heading, and one of them is a number, with or
+/// without a unit, or a clock time. Of a single column every such line is a comment.
+pub(crate) fn is_marked_row(line: &[u8], (delimiter, fields): (u8, usize)) -> bool {
+    let is_value = |cell: &String| is_value(cell) || is_clock(cell);
+    fields > 1
+        && line.len() <= LINE_BYTES_MAX
+        && split(line, delimiter).is_some_and(|cells| cells.len() == fields && cells.iter().any(is_value))
 }
 
 impl<R: Read> Lines<R> {
@@ -49,7 +68,10 @@ impl<R: Read> Lines<R> {
             end: None,
             in_long: false,
             blank: 0,
-            comment: None,
+            kept: VecDeque::new(),
+            kept_bytes: 0,
+            form: None,
+            comments: 0,
         }
     }
 
@@ -73,21 +95,41 @@ impl<R: Read> Lines<R> {
     /// # Errors
     /// [`Fault::LineTooLong`], errors of the source, and more than [`BLANK_BYTES_MAX`] without such a line.
     pub(crate) fn advance(&mut self) -> Result<bool, Fault> {
-        self.comment = None;
+        self.advance_to(|_| false)
+    }
+
+    /// Advances like [`Lines::advance`] also to a comment above the known rows that `is_row`.
+    pub(crate) fn advance_to(&mut self, is_row: impl Fn(&[u8]) -> bool) -> Result<bool, Fault> {
         self.blank = 0;
         while self.next_physical()? {
             let line = self.line();
-            if let Some(comment) = line.strip_prefix(b"#").filter(|_| self.number <= COMMENTS_MOST) {
-                self.comment = Some((self.number, comment.trim_ascii().to_vec()));
-            }
-            let line = self.line();
-            if !line.starts_with(b"#") && !line.iter().all(u8::is_ascii_whitespace) {
+            if line.starts_with(b"#") {
+                match self.form {
+                    Some(form) if is_marked_row(line, form) => return Ok(true),
+                    None if is_row(line) => return Ok(true),
+                    Some(_) => self.comments += 1,
+                    None => self.keep(),
+                }
+            } else if !line.iter().all(u8::is_ascii_whitespace) {
                 return Ok(true);
             }
-            let bytes = line.len() + 1;
+            let bytes = self.line.len() + 1;
             self.leave(bytes)?;
         }
         Ok(false)
+    }
+
+    /// Keeps the current line, a comment above the rows.
+    fn keep(&mut self) {
+        let comment = self.line().to_vec();
+        self.kept_bytes += comment.len();
+        self.kept.push_back((self.number, comment));
+        while self.kept_bytes > COMMENT_BYTES_MOST
+            && let Some((_, first)) = self.kept.pop_front()
+        {
+            self.kept_bytes -= first.len();
+            self.comments += 1;
+        }
     }
 
     /// Counts bytes without content.
@@ -96,9 +138,25 @@ impl<R: Read> Lines<R> {
         Limit::BlankBytes.hold(self.blank, BLANK_BYTES_MAX)
     }
 
-    /// Returns the comment right before the current line, without its `#`.
-    pub(crate) fn comment(&self) -> Option<&(u64, Vec<u8>)> {
-        self.comment.as_ref()
+    /// Returns the comments kept so far, with their `#`.
+    pub(crate) const fn kept(&self) -> &VecDeque<(u64, Vec<u8>)> {
+        &self.kept
+    }
+
+    /// Returns the comments kept so far, as the heading was found: from here on rows have so many cells.
+    pub(crate) fn take_kept(&mut self, form: (u8, usize)) -> VecDeque<(u64, Vec<u8>)> {
+        self.form = Some(form);
+        std::mem::take(&mut self.kept)
+    }
+
+    /// Adds a comment below the heading.
+    pub(crate) const fn count_comment(&mut self) {
+        self.comments += 1;
+    }
+
+    /// Returns the number of comments below the heading so far.
+    pub(crate) const fn comments(&self) -> u64 {
+        self.comments
     }
 
     /// Returns the line ending; valid once the first line was read.

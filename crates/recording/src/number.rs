@@ -1,5 +1,6 @@
 //! Number parsing in the notations of files.
 
+use crate::thousands::Commas;
 use quantities::Unit;
 use std::borrow::Cow;
 
@@ -65,6 +66,11 @@ impl Decimals {
             Self::Comma(_) => Some(b','),
             Self::Undecided => None,
         }
+    }
+
+    /// Returns `true` if a point is the decimal sign of a table with such commas.
+    pub(crate) const fn is_point_for(self, commas: Commas) -> bool {
+        matches!((self, commas), (Self::PointAlways, _) | (Self::Point(_), Commas::Quoted))
     }
 
     /// Returns `true` if a cell looks like a number with either decimal sign.

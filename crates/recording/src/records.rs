@@ -8,7 +8,7 @@ use crate::faults::{Fault, excerpt};
 use crate::limits::{Limit, TABLE_COLUMNS_MAX};
 use crate::number::{Decimals, finite, with_unit};
 use crate::series::Encoding;
-use crate::thousands::Thousands;
+use crate::thousands::{Commas, Rows, Thousands};
 use std::io::Read;
 
 /// Rows of a table under its headings, read one after the other in a bounded buffer.
@@ -23,7 +23,7 @@ pub struct Records<R> {
     decimals: Decimals,
     thousands: Thousands,
     is_utf8: bool,
-    may_have_commas: bool,
+    commas: Commas,
     is_first: bool,
     /// Empty rows before the current line that are still to be returned, and the line of the first.
     empty: (u64, u64),
@@ -51,7 +51,7 @@ impl<R: Read> Records<R> {
             decimals: Decimals::PointAlways,
             thousands: Thousands::default(),
             is_utf8: true,
-            may_have_commas: false,
+            commas: Commas::None,
             is_first: true,
             empty: (0, 0),
         };
@@ -78,8 +78,10 @@ impl<R: Read> Records<R> {
     fn decide_commas(&mut self) {
         let is_number = |cell: &str| Decimals::is_number(with_unit(cell).map_or(cell, |(number, _)| number));
         let is_quoted = |line: &[u8]| encoding::text(line).split('"').skip(1).step_by(2).any(is_number);
-        self.may_have_commas = self.cells.delimiter != b',' || self.lines.next().is_some_and(is_quoted);
-        self.decimals = if self.may_have_commas { Decimals::Undecided } else { Decimals::PointAlways };
+        let delimiter = self.cells.delimiter;
+        self.commas = Commas::of(delimiter, delimiter == b',' && self.lines.next().is_some_and(is_quoted));
+        self.thousands = Thousands::of(self.commas);
+        self.decimals = if self.commas.may_be_decimal() { Decimals::Undecided } else { Decimals::PointAlways };
     }
 
     /// Skips the line below the headings, which holds units.
@@ -97,9 +99,14 @@ impl<R: Read> Records<R> {
         &self.headings
     }
 
-    /// Returns `true` if numbers may have decimal commas, that is if commas do not separate the cells, or the numbers are quoted.
-    pub const fn may_have_decimal_commas(&self) -> bool {
-        self.may_have_commas
+    /// Returns the commas that numbers may have.
+    pub const fn commas(&self) -> Commas {
+        self.commas
+    }
+
+    /// Returns the number of comments below the headings so far.
+    pub const fn comments(&self) -> u64 {
+        self.lines.comments()
     }
 
     /// Returns the cells of the line below the current one without surrounding space.
@@ -164,7 +171,7 @@ impl<R: Read> Records<R> {
         let found = self.cells.count(self.lines.line()).ok_or(Fault::QuoteOpen { line })?;
         let is_padded = found > expected && ends_empty(self.lines.line(), found - expected, self.cells.delimiter);
         if found != expected && !is_padded {
-            let may_be_twice = !self.may_have_commas && (found == 2 * expected || is_first);
+            let may_be_twice = !self.commas.may_be_decimal() && (found == 2 * expected || is_first);
             return Err(ragged(self.lines.line(), (line, found, expected), may_be_twice));
         }
         let mut column = 0;
@@ -183,8 +190,8 @@ impl<R: Read> Records<R> {
 
     /// Returns the fault of a column with a heading that `is_used` whose numbers may have separators of thousands:
     /// `998`, `1.002`.
-    pub fn thousands(&self, is_used: impl Fn(usize) -> bool) -> Option<Fault> {
-        let found = self.thousands.mixed().find(|found| is_used(found.column))?;
+    pub fn thousands(&self, rows: Rows, is_used: impl Fn(usize) -> bool) -> Option<Fault> {
+        let found = self.thousands.possible(rows).find(|found| is_used(found.column))?;
         let column = excerpt(self.headings.get(found.column)?);
         Some(Fault::ThousandsPossible { line: found.place, column, text: found.text.clone() })
     }
@@ -201,7 +208,7 @@ impl<R: Read> Records<R> {
             let number = decimals.plain(cell.as_bytes(), line).and_then(|text| finite(&text));
             put(column, number.ok(), cell);
             if decimals != Decimals::PointAlways {
-                thousands.note(column, cell, line);
+                thousands.note(column, with_unit(cell).map_or(cell, |(number, _)| number), line);
             }
         });
         self.thousands = thousands;
@@ -320,7 +327,7 @@ mod tests {
             let mut records = open(text);
             assert_eq!(records.headings(), ["a", "b"], "{text}");
             assert_eq!(records.below().unwrap()[..2], ["1,5", "2"], "{text}");
-            assert!(records.advance().unwrap() && records.may_have_decimal_commas());
+            assert!(records.advance().unwrap() && records.commas().may_be_decimal());
             let mut cells = Vec::new();
             records.row(|_, cell| cells.push(cell.to_owned())).unwrap();
             assert_eq!(cells, ["1,5", "2"], "{text}");

@@ -22,6 +22,8 @@ pub struct Recording {
     pub encoding: Option<Encoding>,
     /// Headings of the columns that are not used.
     pub unused: Vec<String>,
+    /// Number of comments below the heading, lines that begin with `#` and are no rows.
+    pub comments: u64,
     /// Number of jumps of one revolution that were removed from the positions of a modulo axis.
     pub revolutions_removed: usize,
     /// Number of samples before the window.

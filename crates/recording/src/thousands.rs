@@ -10,8 +10,48 @@ use crate::faults::excerpt;
 /// more than three digits shows it for its column.
 #[derive(Clone, Debug, Default)]
 pub struct Thousands {
+    commas: Commas,
     is_decimal: bool,
     columns: Vec<Column>,
+}
+
+/// Commas in the numbers of a table.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Commas {
+    /// Commas separate the cells, and no number is quoted: a point is decimal.
+    #[default]
+    None,
+    /// Commas stand in quoted numbers only. Spreadsheets quote a number there because of its separators of thousands, others because
+    /// of its decimal comma; a point is decimal.
+    Quoted,
+    /// Other signs separate the cells: a comma or a point may be decimal.
+    Any,
+}
+
+impl Commas {
+    /// Returns the commas that a first row of numbers shows, `is_quoted` if one of them is quoted.
+    pub(crate) const fn of(delimiter: u8, is_quoted: bool) -> Self {
+        match (delimiter, is_quoted) {
+            (b',', false) => Self::None,
+            (b',', true) => Self::Quoted,
+            _ => Self::Any,
+        }
+    }
+
+    /// Returns `true` if numbers may have decimal commas.
+    #[must_use]
+    pub const fn may_be_decimal(self) -> bool {
+        !matches!(self, Self::None)
+    }
+}
+
+/// Kind of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rows {
+    /// Samples in the order of time, mostly with a fixed number of decimals.
+    Samples,
+    /// Rows of a spreadsheet, independent of one another.
+    Entries,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -61,11 +101,18 @@ impl Form {
 }
 
 /// Returns `true` if the sign of a number may separate thousands: `1.002`.
-pub(crate) fn may_be_grouped(cell: &str) -> bool {
+#[must_use]
+pub fn may_be_grouped(cell: &str) -> bool {
     Form::of(cell.trim()) == Some(Form::Grouped)
 }
 
 impl Thousands {
+    /// Creates the evidence of a table without cells.
+    #[must_use]
+    pub fn of(commas: Commas) -> Self {
+        Self { commas, ..Self::default() }
+    }
+
     /// Adds a cell of a column; text that is no number states nothing.
     pub fn note(&mut self, column: usize, cell: &str, place: u64) {
         if self.is_decimal {
@@ -73,6 +120,10 @@ impl Thousands {
         }
         let cell = cell.trim();
         let Some(form) = Form::of(cell) else { return };
+        // Where commas separate the cells a point is decimal, and says nothing about a quoted comma.
+        if self.commas != Commas::Any && cell.contains('.') {
+            return;
+        }
         if form == Form::Decimal {
             self.is_decimal = true;
             return;
@@ -91,27 +142,27 @@ impl Thousands {
         }
     }
 
+    /// Returns the commas of the table.
+    pub(crate) const fn commas(&self) -> Commas {
+        self.commas
+    }
+
     /// Returns `true` if the sign is decimal in any case.
     #[must_use]
     pub const fn is_decimal(&self) -> bool {
         self.is_decimal
     }
 
-    /// Returns the columns that mix numbers up to 999 without a sign and numbers with three digits behind it, unless
-    /// other cells show that the sign is decimal.
-    pub fn mixed(&self) -> impl Iterator<Item = &Possible> {
-        self.found(|column| column.has_small)
-    }
-
-    /// Returns those columns, and the ones in which a point stands before three digits in every number: where commas do
-    /// not separate cells, spreadsheets write thousands so.
-    pub fn possible(&self) -> impl Iterator<Item = &Possible> {
-        self.found(|column| column.has_small || column.first.as_ref().is_some_and(|first| first.text.contains('.')))
-    }
-
-    fn found(&self, is_meant: impl Fn(&Column) -> bool) -> impl Iterator<Item = &Possible> {
+    /// Returns the first number of each column whose sign may separate thousands, unless other cells show that it is decimal: where the
+    /// column has numbers up to 999 without a sign too; where the number is quoted because of a comma; and in the rows of a
+    /// spreadsheet, which writes thousands so, where a point stands before three digits in every number.
+    pub fn possible(&self, rows: Rows) -> impl Iterator<Item = &Possible> {
         let open = self.columns.iter().filter(|column| !self.is_decimal && !column.is_plain);
-        open.filter(move |column| is_meant(column)).filter_map(|column| column.first.as_ref())
+        let is_meant = move |column: &Column, first: &Possible| {
+            let is_point = || rows == Rows::Entries && first.text.contains('.');
+            column.has_small || self.commas == Commas::Quoted || is_point()
+        };
+        open.filter_map(move |column| column.first.as_ref().filter(|first| is_meant(column, first)))
     }
 }
 
@@ -140,20 +191,24 @@ mod tests {
             if u.arbitrary()? {
                 values.reverse();
             }
-            let mut thousands = Thousands::default();
+            let mut thousands = Thousands::of(Commas::Any);
             for (row, value) in values.iter().enumerate() {
                 thousands.note(2, &grouped(*value, sign), row as u64);
             }
-            assert_eq!(thousands.mixed().map(|found| found.column).collect::<Vec<_>>(), [2], "{values:?}");
+            assert_eq!(
+                thousands.possible(Rows::Samples).map(|found| found.column).collect::<Vec<_>>(),
+                [2],
+                "{values:?}"
+            );
             // The same numbers beside a decimal, or without separators.
             thousands.note(0, "0.125", 99);
-            assert_eq!(thousands.mixed().count(), 0);
-            let mut plain = Thousands::default();
+            assert_eq!(thousands.possible(Rows::Samples).count(), 0);
+            let mut plain = Thousands::of(Commas::Any);
             values.iter().for_each(|value| plain.note(0, &value.to_string(), 0));
-            assert_eq!(plain.possible().count(), 0);
-            let mut fixed = Thousands::default();
+            assert_eq!(plain.possible(Rows::Entries).count(), 0);
+            let mut fixed = Thousands::of(Commas::Any);
             values.iter().for_each(|value| fixed.note(0, &format!("{value}.000"), 0));
-            assert_eq!(fixed.mixed().count(), 0);
+            assert_eq!(fixed.possible(Rows::Samples).count(), 0);
             Ok(())
         });
     }

@@ -15,7 +15,7 @@ use quantities::Language;
 use quantities::unit::{MICROSECOND, MILLISECOND, SECOND};
 use questions::sweep::csv::{self, Broken, Columns, Lines};
 use recording::{
-    Bytes, Content, FILE_BYTES_MAX, Fault, Limit, Memory, Ranges, Sniffed, Table, TableColumn, TableValues, ValueKind,
+    Commas, Bytes, Content, FILE_BYTES_MAX, Fault, Limit, Memory, Ranges, Sniffed, Table, TableColumn, TableValues, ValueKind,
 };
 use std::borrow::Cow;
 use std::fs::File;
@@ -214,12 +214,21 @@ impl Batches {
         Arc::clone(&self.schema)
     }
 
-    /// Returns `true` if its numbers may have decimal commas.
+    /// Returns the number of comments below the headings so far.
     #[must_use]
-    pub const fn has_decimal_commas(&self) -> bool {
+    pub const fn comments(&self) -> u64 {
         match &self.from {
-            From::Csv(lines, _) => lines.has_decimal_commas(),
-            From::Parquet(..) => false,
+            From::Csv(lines, _) => lines.comments(),
+            From::Parquet(..) => 0,
+        }
+    }
+
+    /// Returns the commas that its numbers may have.
+    #[must_use]
+    pub const fn commas(&self) -> Commas {
+        match &self.from {
+            From::Csv(lines, _) => lines.commas(),
+            From::Parquet(..) => Commas::None,
         }
     }
 

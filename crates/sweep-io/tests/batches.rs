@@ -275,7 +275,7 @@ fn a_file_with_decimal_commas_is_read_as_it_was_written() {
         assert_eq!(text.contains("-1250,25;20000;"), decimal == Decimal::Comma, "{text}");
         file.write_all(&bytes).unwrap();
         let mut read = Batches::open(file, 0, 9, Language::En).unwrap();
-        assert_eq!(read.has_decimal_commas(), decimal == Decimal::Comma, "{text}");
+        assert_eq!(read.commas().may_be_decimal(), decimal == Decimal::Comma, "{text}");
         let found = read.next(Language::En).unwrap().unwrap();
         assert_eq!(found.schema().field(0).name(), "load.inertia [kg m^2]");
         let cells = |column: usize| -> Vec<Option<String>> {

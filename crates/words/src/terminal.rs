@@ -99,6 +99,8 @@ texts! {
         | "{more} weitere geeignet; mit --top N oder --all anzeigen";
     demand_on(id) = "demand on {id}" | "geforderte Werte am Abtrieb, {id}";
     more_segments(more) = "{more} more; --json lists all" | "{more} weitere; --json nennt alle";
+    comments_passed_over(count) =
+        "lines skipped as comments: {count}" | "als Kommentar übergangene Zeilen: {count}";
     columns_not_used(names) = "not used: {names}" | "nicht verwendet: {names}";
     more_columns_not_used(names, more) = "not used: {names} and {more} more" | "nicht verwendet: {names} und {more} weitere";
     outside_the_window(left) = "{left} outside the window" | "{left} außerhalb des Fensters";

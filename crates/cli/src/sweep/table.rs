@@ -65,7 +65,7 @@ impl Table<'_> {
         mut batches: Batches,
         mut head: BatchHead,
         project_files: disk::ProjectFiles,
-    ) -> Result<(BatchSweep, u64), Unanswered> {
+    ) -> Result<(BatchSweep, [u64; 2]), Unanswered> {
         let mut rows = 0;
         let unread = loop {
             if head.is_enough() {
@@ -89,7 +89,7 @@ impl Table<'_> {
             }
         };
         match (head.ready(&self.name(), Box::new(project_files)), unread) {
-            (Ok(sweep), None) => Ok((sweep, rows)),
+            (Ok(sweep), None) => Ok((sweep, [rows, batches.comments()])),
             (ready, unread) => Err(Unanswered::combined(ready.err().into_iter().chain(unread).collect())),
         }
     }

@@ -10,7 +10,7 @@ use crate::sweep::csv::{Broken, Columns, Lines};
 use crate::sweep::{Cells, Head, Options, SweepRow, SweepSummary, TableColumns, Tally, Wanted};
 use axis::{AxisProject, Catalogue, Files};
 use quantities::{Language, seen};
-use recording::{Content, Fault};
+use recording::{Commas, Content, Fault};
 use sizing::CheckId;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -63,14 +63,14 @@ const VALUES_MOST: usize = 1 << 20;
 const BYTES_MOST: u64 = 16 << 20;
 
 impl Args {
-    /// Returns the options of the sweep; `decimal_commas` permits decimal commas in its numbers.
+    /// Returns the options of the sweep; `commas` are those of its numbers.
     ///
     /// # Errors
     /// If two forms of the answer are requested.
     pub fn options(
         &self,
         catalogue: &Arc<dyn Catalogue>,
-        decimal_commas: bool,
+        commas: Commas,
         language: Language,
     ) -> Result<Options, Unanswered> {
         let wanted = match (self.front, self.check.is_empty()) {
@@ -82,7 +82,7 @@ impl Args {
             (false, true) => Wanted::Best,
         };
         let catalogue = Arc::clone(catalogue);
-        Ok(Options { catalogue, axis: self.axis.clone(), wanted, decimal_commas, language })
+        Ok(Options { catalogue, axis: self.axis.clone(), wanted, commas, language })
     }
 }
 
@@ -148,7 +148,7 @@ fn evaluated(
     let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
     let places = TableColumns::of(&headings);
     let keys: Vec<&str> = places.keys.iter().filter_map(|place| headings.get(*place).copied()).collect();
-    let options = args.options(inquiry.catalogue, lines.has_decimal_commas(), language)?;
+    let options = args.options(inquiry.catalogue, lines.commas(), language)?;
     let mut head = head(&keys, options);
     places.faults(&[], language).for_each(|fault| head.refuse(fault));
     let mut columns: Columns = vec![Vec::new(); headings.len()];

@@ -5,7 +5,7 @@ use super::{Column, Holds, Options, Value};
 use crate::codes::read_code;
 use project::{Fault, Heading, Hint, Kind, TabularFault};
 use quantities::{Language, Unit, seen};
-use recording::Thousands;
+use recording::{Commas, Rows, Thousands, may_be_grouped};
 use std::borrow::Cow;
 use words::{fault_text, hint_text, sweeps};
 
@@ -140,7 +140,7 @@ impl Cells<'_> {
             }
             let at = first_row + row as u64;
             let wrong = |fault| Some(CellFault::of(&column.written, Some(at), &(fault, None), language));
-            let found = match column.cell(self, row, decimals.may_be_commas) {
+            let found = match column.cell(self, row, decimals.commas) {
                 Err(fault) => wrong(fault),
                 Ok(Value::Text(text)) => column.wrong_word(text, at, language),
                 Ok(Value::Number(_)) => {
@@ -156,14 +156,14 @@ impl Cells<'_> {
 /// The decimal sign of a table: the first number with either sign decides, because `1.234` beside `5,6` may be a thousand.
 #[derive(Clone, Debug)]
 pub(super) struct Decimals {
-    may_be_commas: bool,
+    commas: Commas,
     has_comma: Option<bool>,
     thousands: Thousands,
 }
 
 impl Decimals {
     pub(super) fn of(options: &Options) -> Self {
-        Self { may_be_commas: options.decimal_commas, has_comma: None, thousands: Thousands::default() }
+        Self { commas: options.commas, has_comma: None, thousands: Thousands::of(options.commas) }
     }
 
     /// Adds the faults of columns in which every sign may separate thousands.
@@ -173,7 +173,7 @@ impl Decimals {
         language: Language,
         faults: &mut TableFaults,
     ) {
-        for found in self.thousands.possible() {
+        for found in self.thousands.possible(Rows::Entries) {
             let Some(column) = columns(found.column) else { continue };
             let (path, written) = (column.key().to_owned(), found.text.clone());
             let fault = Fault::Tabular(TabularFault::ThousandsPossible { path, written });
@@ -184,7 +184,7 @@ impl Decimals {
     /// Adds a number as evidence of the sign.
     fn note(&mut self, place: usize, cells: &Cells<'_>, row: usize, at: u64) {
         if let Cells::Texts(texts) = cells
-            && self.may_be_commas
+            && self.commas.may_be_decimal()
             && let Some(Some(text)) = texts.get(row)
         {
             self.thousands.note(place, number_of(text), at);
@@ -194,7 +194,7 @@ impl Decimals {
     /// Returns the fault of a number with the other mark.
     fn mixed(&mut self, column: &Column, cells: &Cells<'_>, row: usize) -> Option<Fault> {
         let Cells::Texts(texts) = cells else { return None };
-        let text = texts.get(row)?.as_deref().filter(|_| self.may_be_commas)?;
+        let text = texts.get(row)?.as_deref().filter(|_| self.commas.may_be_decimal())?;
         let text = Some(number_of(text)).filter(|text| text.contains(['.', ',']))?;
         let has_comma = text.contains(',');
         let decided = *self.has_comma.get_or_insert(has_comma);
@@ -232,7 +232,7 @@ impl Column {
     }
 
     /// Returns the content of a cell.
-    fn cell<'c>(&self, cells: &'c Cells<'_>, row: usize, may_have_comma: bool) -> Result<Value<'c>, Fault> {
+    fn cell<'c>(&self, cells: &'c Cells<'_>, row: usize, commas: Commas) -> Result<Value<'c>, Fault> {
         let path = || self.key().to_owned();
         let empty = || Fault::Tabular(TabularFault::NoValue { path: path() });
         match cells {
@@ -249,7 +249,7 @@ impl Column {
                     return Err(empty());
                 }
                 match &self.holds {
-                    Holds::Key(heading) if self.is_number() => Self::number(heading, text, may_have_comma),
+                    Holds::Key(heading) if self.is_number() => Self::number(heading, text, commas),
                     Holds::Key(heading) => Ok(Value::Text(heading.word(text))),
                     Holds::Code => Ok(Value::Text(text)),
                 }
@@ -261,11 +261,15 @@ impl Column {
     }
 
     /// Returns the number of a cell, which may repeat the unit of its column.
-    fn number<'c>(heading: &Heading, text: &str, may_have_comma: bool) -> Result<Value<'c>, Fault> {
+    fn number<'c>(heading: &Heading, text: &str, commas: Commas) -> Result<Value<'c>, Fault> {
+        let may_have_comma = commas.may_be_decimal();
         if let Some(number) = recording::number(text, may_have_comma) {
             return Ok(Value::Number(number));
         }
         let (path, written) = (heading.path.clone(), text.chars().take(60).collect());
+        if !may_have_comma && text.contains(',') && may_be_grouped(number_of(text)) {
+            return Err(Fault::Tabular(TabularFault::ThousandsPossible { path, written }));
+        }
         let Some((unit, (number, other))) = heading.unit.zip(recording::with_unit(text)) else {
             return Err(Fault::Tabular(TabularFault::NotANumber { path, written }));
         };
@@ -303,8 +307,8 @@ impl Column {
     ///
     /// # Errors
     /// The reason why a project file with this value would be refused.
-    pub(super) fn value<'c>(&self, cells: &'c Cells<'_>, row: usize, may_have_comma: bool) -> Result<Value<'c>, Fault> {
-        let value = self.cell(cells, row, may_have_comma)?;
+    pub(super) fn value<'c>(&self, cells: &'c Cells<'_>, row: usize, commas: Commas) -> Result<Value<'c>, Fault> {
+        let value = self.cell(cells, row, commas)?;
         if let (Holds::Key(heading), Value::Number(number)) = (&self.holds, &value)
             && heading.is_number()
             && let Some(fault) = heading.refusal(*number)

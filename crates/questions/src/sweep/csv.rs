@@ -3,7 +3,7 @@
 use super::CODE;
 use project::{Counted, Fault, Heading, TabularFault};
 use quantities::{Language, Unit};
-use recording::Records;
+use recording::{Commas, Records};
 use std::borrow::Cow;
 use std::io::Read;
 
@@ -75,9 +75,14 @@ impl<R: Read> Lines<R> {
         &self.headings
     }
 
-    /// Returns `true` if numbers may have decimal commas.
-    pub const fn has_decimal_commas(&self) -> bool {
-        self.records.may_have_decimal_commas()
+    /// Returns the number of comments below the headings so far.
+    pub const fn comments(&self) -> u64 {
+        self.records.comments()
+    }
+
+    /// Returns the commas that numbers may have.
+    pub const fn commas(&self) -> Commas {
+        self.records.commas()
     }
 
     /// Skips rows.

@@ -133,7 +133,7 @@ fn read(bytes: &[u8]) -> Result<Vec<Vec<String>>, TableFaults> {
     let mut lines = Lines::open(bytes).unwrap();
     let headings = lines.headings().to_vec();
     let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
-    let options = Options { decimal_commas: lines.has_decimal_commas(), ..Options::default() };
+    let options = Options { commas: lines.commas(), ..Options::default() };
     let mut head = Head::of(("axis.toml", MOVE), &NoFiles, &headings, options);
     let (mut parts, mut rows) = (Vec::new(), 0);
     while !head.is_enough() {

@@ -1,6 +1,7 @@
 use super::*;
 use axis::NoFiles;
 use project::Counted;
+use recording::Commas;
 
 pub(super) const MOVE: &str = "format = 1\n[load]\ninertia = \"1 kg m^2\"\nfriction_torque = \"5 N m\"\n[[motion]]\n\
     law = \"trapezoid\"\ndistance = \"90 deg\"\ntime = \"0.5 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
@@ -208,8 +209,8 @@ fn heading(input: &project::Input) -> String {
 /// Numbers in which a point may separate thousands are refused, unless another cell shows that it is decimal.
 #[test]
 fn thousands_in_a_table_are_refused() {
-    let found = |rows: &[[&'static str; 2]], decimal_commas: bool| {
-        let options = Options { decimal_commas, ..Options::default() };
+    let found = |rows: &[[&'static str; 2]], commas: Commas| {
+        let options = Options { commas, ..Options::default() };
         let headings = ["load.inertia [kg cm^2]", "motion[1].time [ms]"];
         let mut head = Head::of(("axis.toml", MOVE), &NoFiles, &headings, options);
         let column = |place: usize| Cells::Texts(rows.iter().map(|row| Some(row[place].into())).collect());
@@ -223,7 +224,7 @@ fn thousands_in_a_table_are_refused() {
     for rows in
         [[["5.000", "500"], ["10.000", "500"]], [["998", "500"], ["1.002", "500"]], [["998", "500"], ["1,002", "500"]]]
     {
-        let faults = found(&rows, true);
+        let faults = found(&rows, Commas::Any);
         let row = u64::from(rows[0][0] == "998");
         assert!(
             matches!(faults.as_slice(), [fault] if fault.id == "thousands_possible" && fault.row == Some(row)),
@@ -235,8 +236,16 @@ fn thousands_in_a_table_are_refused() {
         [["0.998", "500"], ["1.002", "500"]],
         [["1,125", "500"], ["1,375", "500"]],
     ] {
-        assert_eq!(found(&rows, true), []);
+        assert_eq!(found(&rows, Commas::Any), []);
     }
-    // Where commas separate cells a point is decimal.
-    assert_eq!(found(&[["998", "500"], ["1.002", "500"]], false), []);
+    // Where commas separate cells a point is decimal, and a quoted comma may be either.
+    assert_eq!(found(&[["998", "500"], ["1.002", "500"]], Commas::None), []);
+    for (rows, commas) in [
+        ([["2,000", "500"], ["3,000", "500"]], Commas::Quoted),
+        ([["2,000", "500"], ["2,500", "500"]], Commas::None),
+    ] {
+        let faults = found(&rows, commas);
+        assert!(faults.iter().all(|fault| fault.id == "thousands_possible") && !faults.is_empty(), "{faults:?}");
+    }
+    assert_eq!(found(&[["2,000", "500"], ["0,5", "500"]], Commas::Quoted), []);
 }

@@ -7,6 +7,7 @@ mod durations;
 mod hostile;
 mod incomplete;
 mod loggers;
+mod marked;
 mod notations;
 mod order;
 mod parquet;

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
-use recording::{Fault, Layout, Recording, read_csv};
+use recording::{Fault, Layout, Recording, Records, Rows, read_csv};
 
 fn read(text: &str) -> Result<Recording, Vec<Fault>> {
     read_csv(text.as_bytes(), &Layout::default())
@@ -91,6 +91,111 @@ fn grouped_times_to_the_end_are_no_footer() {
     assert!(matches!(faults.as_slice(), [Fault::ThousandsGrouped { .. }, ..]), "{faults:?}");
 }
 
+/// A table is read with its numbers or refused in every dialect, as samples and as the rows of a spreadsheet: no combination of
+/// delimiter, decimal sign, separator of thousands, quotes and a separator at the end of the heading gives other numbers.
+#[test]
+fn no_dialect_gives_other_numbers() {
+    let (mut read_well, mut refused) = (0, 0);
+    arbtest::arbtest(|u| {
+        let delimiter = [';', ',', '\t', '|'][u.int_in_range(0..=3_usize)?];
+        let decimal = [".", ","][u.int_in_range(0..=1_usize)?];
+        let thousands = ["", "", ".", ",", "'", "\u{a0}"][u.int_in_range(0..=5_usize)?];
+        if thousands == decimal {
+            return Ok(());
+        }
+        let (quotes, is_open) = (u.int_in_range(0..=2_u8)?, u.ratio(1, 6)?);
+        let places = [u.int_in_range(0..=4_usize)?, u.int_in_range(0..=4_usize)?];
+        // A column in which every number is below 1000, above, or either.
+        let (least, most) = [(0, 999), (1_000, 999_999), (0, 3_000)][u.int_in_range(0..=2_usize)?];
+        let count = u.int_in_range(3..=30_u32)?;
+        let mut values = Vec::new();
+        for k in 0..count {
+            let value = f64::from(u.int_in_range(least..=most)?) + f64::from(u.int_in_range(0..=999)?) / 1000.0;
+            // The number that is written.
+            let whole: f64 = format!("{value:.*}", places[1]).parse().unwrap();
+            values.push([f64::from(k), whole]);
+        }
+        let mut has_open_comma = false;
+        let mut cell = |value: f64, places: usize| {
+            let text = with_decimals(value, places, thousands, decimal);
+            let is_quoted = quotes == 2 || quotes == 1 && text.contains(delimiter);
+            has_open_comma |= !is_quoted && text.contains(delimiter);
+            if is_quoted { format!("\"{text}\"") } else { text }
+        };
+        let rows: String = values
+            .iter()
+            .map(|[t, n]| format!("{}{delimiter}{}\n", cell(*t, places[0]), cell(*n, places[1])))
+            .collect();
+        let end = if is_open { delimiter.to_string() } else { String::new() };
+        let text = format!("t [s]{delimiter}n [1/min]{end}\n{rows}");
+        let written: Vec<String> =
+            values.iter().map(|[_, n]| with_decimals(*n, places[1], thousands, decimal)).collect();
+        let is_grouped =
+            |text: &String| text.len() < 8 && text.split_once(thousands).is_some_and(|(_, rest)| rest.len() == 3);
+        // Where every number has three digits behind one sign, a comma of an unquoted number or a point counts as decimal.
+        let is_undecided = !thousands.is_empty() && places == [0, 0] && written.iter().all(is_grouped);
+        let is_known_limit = is_undecided && thousands != "'" && thousands != "\u{a0}" && delimiter != ',';
+        match read(&text) {
+            Ok(found) => {
+                let speeds = &found.course.speed.as_ref().unwrap().values;
+                let is_same = speeds.len() == values.len()
+                    && speeds
+                        .iter()
+                        .zip(&values)
+                        .all(|(found, [_, n])| (found * 30.0 / std::f64::consts::PI - n).abs() < 1e-6);
+                assert!(is_same || is_known_limit, "{text}");
+                read_well += u32::from(is_same);
+            }
+            Err(faults) => {
+                assert!(!faults.is_empty());
+                refused += 1;
+            }
+        }
+        let mut records = Records::open_below(text.as_bytes(), |cell| cell == "t [s]").unwrap();
+        let (mut numbers, mut is_refused) = (Vec::new(), false);
+        while records.advance().unwrap() {
+            let row = records.numbers(|column, number, _| {
+                is_refused |= number.is_none();
+                if column == 1 {
+                    numbers.push(number.unwrap_or_default());
+                }
+            });
+            is_refused |= row.is_err();
+        }
+        is_refused |= records.thousands(Rows::Entries, |_| true).is_some();
+        let is_same = numbers.iter().zip(&values).all(|(found, [_, n])| (found - n).abs() < 1e-6);
+        assert!(is_refused || is_same || is_known_limit && thousands == ",", "{text}");
+        Ok(())
+    })
+    .budget_ms(2_000);
+    assert!(read_well > 100 && refused > 100, "{read_well} {refused}");
+}
+
+/// Numbers that are quoted in a comma-separated table, each with a comma before three digits, may be thousands or decimals.
+#[test]
+fn quoted_commas_before_three_digits_are_ambiguous() {
+    let text = |numbers: [&str; 3]| {
+        let rows = numbers.iter().zip(0..).map(|(number, k)| format!("\"{k}\",\"{number}\"\n"));
+        format!("t [s],n [1/min]\n{}", rows.collect::<String>())
+    };
+    let faults = read(&text(["1,000", "2,000", "3,000"])).unwrap_err();
+    assert!(matches!(faults.as_slice(), [Fault::ThousandsPossible { line: 2, .. }]), "{faults:?}");
+    assert!(read(&text(["1,000", "2,000", "3,5"])).is_ok());
+    // A point beside them shows that they are thousands, as does a first row without quotes.
+    for text in [text(["0.5", "2,000", "3,000"]), "t [s],n [1/min]\n0,998\n1,\"1,002\"\n2,\"1,003\"\n".to_owned()] {
+        assert!(read(&text).is_err(), "{text}");
+    }
+}
+
+/// A separator at the end of a comma-separated heading leaves room for the digits behind a decimal comma.
+#[test]
+fn a_separator_at_the_end_of_the_heading_swallows_no_decimals() {
+    let faults = read("t [s],q [deg],\n0,1,5\n1,2,5\n2,3,5\n").unwrap_err();
+    let is_twice = |fault: &Fault| matches!(fault.bare(), Fault::CommasTwice { found: 3, expected: 2, .. });
+    assert!(faults.iter().all(is_twice) && faults.len() == 3, "{faults:?}");
+    assert!(read("t [s];q [deg];\n0;1,5;\n1;2,5;\n2;3,5;\n").is_ok());
+}
+
 /// Decimals are read in every notation that shows them.
 #[test]
 fn decimals_are_read_where_a_cell_shows_them() {
@@ -169,7 +274,7 @@ fn unused_headings_are_listed() {
         let recording = read(&format!("t [s],q [deg],{name}\n0,0,0\n1,1,0\n2,2,0\n")).unwrap();
         assert_eq!(recording.unused, [name]);
     }
-    let blank = read("t [s],q [deg],\n0,0,0\n1,1,0\n2,2,0\n").unwrap();
+    let blank = read("t [s],q [deg],\n0,0,x\n1,1,y\n2,2,z\n").unwrap();
     assert_eq!(blank.unused, Vec::<String>::new());
     // Of several the order is that of the file.
     let many = read("t [s],b,q [deg],a,c\n0,x,0,y,z\n1,x,1,y,z\n2,x,2,y,z\n").unwrap();
