@@ -57,7 +57,7 @@ pub(crate) fn hold(bytes: &[u8]) {
     as_table(bytes.to_vec());
     let Ok(mut lines) = Lines::open(bytes) else { return };
     let headings: Vec<String> = lines.headings().to_vec();
-    let options = Options { decimal_commas: lines.has_decimal_commas(), ..Options::default() };
+    let options = Options { commas: lines.commas(), ..Options::default() };
     let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
     let mut sweep = Sweep::new(("axis.toml", AXIS), Box::new(Nothing), &headings, options)
         .map_err(|why| assert!(!why.faults(None, Language::En).errors.is_empty(), "a refusal has its reason"))

@@ -71,8 +71,6 @@ pub struct Recording {
     pub columns: Vec<RecordedColumn>,
     /// Headings of the columns that are not used.
     pub unused: Vec<String>,
-    /// Number of lines below the heading that were skipped as comments.
-    pub comments: u64,
 }
 
 /// Encoding of the text of a recording.

@@ -129,7 +129,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 91] = [
+    pub const ALL: [Self; 93] = [
         Self::Default(KeyDefault::NoFriction),
         Self::Default(KeyDefault::AmbientWithinRange),
         Self::ConditionsWithinRange,
@@ -226,6 +226,18 @@ impl Assumption {
         Self::RecordedSteps(MadeUp { cause: Spurious::Updates { smoothing_s: Some(0.05) }, ..STEPS }, 0.5),
         Self::RecordedSteps(MadeUp { cause: Spurious::Updates { smoothing_s: None }, ..STEPS }, 0.5),
         Self::RecordedSteps(MadeUp { cause: Spurious::Stamps { scatter_s: 3e-4 }, ..STEPS }, 0.5),
+        Self::RecordedSteps(
+            MadeUp { cause: Spurious::Noise { deviation: 1e-6, rms_rad_s2: 1.2, smoothing_s: Some(0.05) }, ..STEPS },
+            0.5,
+        ),
+        Self::RecordedSteps(
+            MadeUp {
+                cause: Spurious::Noise { deviation: 1e-3, rms_rad_s2: 1.2, smoothing_s: None },
+                column: SteppedColumn::Speed,
+                ..STEPS
+            },
+            0.5,
+        ),
         Self::SplineThroughPoints(Spline::Cubic),
         Self::SplineThroughPoints(Spline::Quintic),
     ];

@@ -30,6 +30,7 @@ mod stretch;
 mod threshold;
 mod timing;
 mod web;
+mod white;
 
 pub use chain::{Closing, Hold, ManualMove, Motion, SegmentSpec, Stretch, Unread};
 pub use examination::{EvenRows, HeldSignal, Stamps};

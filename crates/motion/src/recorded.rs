@@ -6,7 +6,8 @@ use crate::held::{Interpolated, Updated, held, interpolated, interpolated_positi
 use crate::joint::joint;
 use crate::remarks::{Remark, of_stamps, of_standstill};
 use crate::resolution::{
-    MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, made_up_by_updates, mean_interval, median_interval,
+    MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, made_up_by_noise, made_up_by_updates, mean_interval,
+    median_interval,
 };
 use crate::settled::{SlowMotion, slow_motion, stop_at_rests};
 use crate::smoothing::{end_error, slope_error, slope_error_at_end, smooth_by};
@@ -192,6 +193,7 @@ impl Recorded {
             (Some(torque), Some(window)) => Some(Arc::new(smooth_by(&time_s, &torque, window, closed.map(|_| 0.0))?.0)),
             (torque, _) => torque,
         };
+        let made_up = made_up.map(|made_up| made_up.while_moving(&speed));
         let rests = speed.windows(2).any(|ends| ends == [0.0; 2]);
         let turns = speed.iter().any(|speed| *speed != 0.0);
         Ok(Self {
@@ -483,7 +485,7 @@ impl Course {
                 let by_updates = || made_up_by_updates((updates, values), column, window, known);
                 made_up(updates, values, column, window).or_else(|| is_irregular.then(by_updates).flatten())
             }
-            None => made_up(time, values, column, window),
+            None => made_up(time, values, column, window).or_else(|| made_up_by_noise(time, values, column, window)),
         }
     }
 }

@@ -47,6 +47,16 @@ pub enum Spurious {
         /// is one \[s\].
         smoothing_s: Option<f64>,
     },
+    /// White noise of the values.
+    Noise {
+        /// Standard deviation of a value \[rad\] or [rad/s].
+        deviation: f64,
+        /// Effective value of the spurious acceleration over the recording \[rad/s²\].
+        rms_rad_s2: f64,
+        /// Width of a smoothing window that reduces the spurious acceleration to a twentieth of the motion's, if there
+        /// is one \[s\].
+        smoothing_s: Option<f64>,
+    },
     /// The time stamps scatter, the rows are evenly spaced.
     Stamps {
         /// Standard deviation of the stamps from evenly spaced instants \[s\].
@@ -78,6 +88,17 @@ pub struct MadeUp {
     /// Largest acceleration of the motion, from samples far enough apart for the steps not to matter, or without the
     /// cause \[rad/s²\].
     pub motion_rad_s2: f64,
+}
+
+impl MadeUp {
+    /// Returns the spurious acceleration with the effective value of noise over the whole recording, where it acts only while the axis
+    /// moves.
+    pub(crate) fn while_moving(self, speed: &[f64]) -> Self {
+        let Spurious::Noise { deviation, rms_rad_s2, smoothing_s } = self.cause else { return self };
+        let moving = speed.windows(2).filter(|ends| *ends != [0.0; 2]).count() as f64;
+        let rms_rad_s2 = rms_rad_s2 * (moving / (speed.len() as f64 - 1.0).max(1.0)).sqrt();
+        Self { cause: Spurious::Noise { deviation, rms_rad_s2, smoothing_s }, ..self }
+    }
 }
 
 /// Returns the median of the deviations from the polynomial through the neighbours if the values are rounded to the
@@ -163,6 +184,48 @@ pub(crate) fn made_up(time: &[f64], values: &[f64], column: SteppedColumn, windo
     let cause = |smoothing_s| Spurious::Steps { step, smoothing_s };
     (acceleration > NOTABLE * motion).then(|| rounded.made_up((acceleration, interval_s), motion, cause))
 }
+
+/// Returns the spurious acceleration of the white noise of a column of evenly spaced samples, if it is significant compared with that of
+/// the motion.
+///
+/// σ_α = σ/h² of positions, √2 σ/h of speeds; with a window W 8.5 σ/W² and 2.1 σ/W
+pub(crate) fn made_up_by_noise(
+    time: &[f64],
+    values: &[f64],
+    column: SteppedColumn,
+    window_s: Option<f64>,
+) -> Option<MadeUp> {
+    let interval_s = median_interval(time);
+    // Differences are those of evenly spaced samples.
+    if intervals(time).any(|step| (step - interval_s).abs() > EVEN * interval_s) {
+        return None;
+    }
+    let deviation = crate::white::deviation(values);
+    if deviation <= 0.0 {
+        return None;
+    }
+    let rounded = Rounded { time, values, column, step: deviation * 12.0_f64.sqrt(), window_s };
+    let plain = match column {
+        SteppedColumn::Position => deviation / (interval_s * interval_s),
+        SteppedColumn::Speed => std::f64::consts::SQRT_2 * deviation / interval_s,
+    };
+    let rms_rad_s2 = window_s.map_or(plain, |window| (0.25 * rounded.smoothed(window)).min(plain));
+    let motion = rounded.motion();
+    let largest = LARGEST * rms_rad_s2;
+    (largest > NOTABLE * motion).then(|| {
+        rounded.made_up((largest, interval_s), motion, |smoothing_s| Spurious::Noise {
+            deviation,
+            rms_rad_s2,
+            smoothing_s,
+        })
+    })
+}
+
+/// Largest deviation of a time step from the usual one of evenly spaced samples, relative to it.
+const EVEN: f64 = 0.01;
+
+/// Largest of some thousand normally distributed values, in standard deviations.
+const LARGEST: f64 = 3.5;
 
 /// Returns the spurious acceleration of held values that are updated at irregular instants, each known to within a row:
 /// the excess of the largest acceleration over that of the motion.

@@ -2,6 +2,7 @@
 
 use crate::grid::Grid;
 use crate::stretch::{SMOOTH, range, runs, smooth_end, travelled};
+use crate::white::range_without_noise;
 use std::ops::Range;
 
 /// Largest speed of a rest relative to the largest speed.
@@ -162,7 +163,11 @@ pub(crate) fn slow(time: &[f64], speed: &[f64], position: Option<&[f64]>, differ
         if speed_rad_s == 0.0 {
             continue;
         }
-        let place_rad = self::travel(times, speeds, position.and_then(|position| position.get(samples.clone())));
+        let positions = position.and_then(|position| position.get(samples.clone()));
+        let place_rad = match positions {
+            Some(positions) if !differentiated => range_without_noise(positions),
+            positions => self::travel(times, speeds, positions),
+        };
         let duration = times.first().zip(times.last()).map_or(0.0, |(first, last)| last - first);
         let is_long = duration >= LONG * speed_rad_s * travel / (most * most);
         let sizes: Vec<f64> = speeds.iter().map(|speed| speed.abs()).collect();

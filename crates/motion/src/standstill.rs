@@ -4,6 +4,7 @@ use crate::grid::Grid;
 use crate::resolution::median_interval;
 use crate::settled::slow;
 use crate::stretch::{SMOOTH, range, runs, smooth_end, travelled};
+use crate::white::range_without_noise;
 use std::ops::Range;
 
 /// Largest speed at which noise is searched for, relative to the largest speed.
@@ -246,6 +247,11 @@ impl Stretch<'_> {
         ABOVE_MEDIAN * *sizes.select_nth_unstable_by(middle, f64::total_cmp).1
     }
 
+    /// Returns the range of positions; beside recorded speeds without their own noise, which the speeds do not follow.
+    fn place(&self, positions: &[f64]) -> f64 {
+        if self.differentiated { range(positions.iter().copied()) } else { range_without_noise(positions) }
+    }
+
     /// Returns `true` if the axis stays in place in a run; of one that is cut only where its speeds are rounding errors.
     fn is_rest(&self, run: &Range<usize>, is_cut: bool) -> bool {
         let time = self.time.get(run.clone()).unwrap_or_default();
@@ -267,7 +273,7 @@ impl Stretch<'_> {
         let sizes: Vec<f64> = speed.iter().map(|speed| speed.abs()).collect();
         let way = travelled(time, &sizes).last().unwrap_or(0.0);
         let resolved = 2.0 * self.position_step;
-        let place = self.position.and_then(|position| position.get(run.clone())).map(|all| range(all.iter().copied()));
+        let place = self.position.and_then(|position| position.get(run.clone())).map(|all| self.place(all));
         let near = 1e-4 * self.span;
         match place {
             Some(place) if self.differentiated => {
@@ -317,7 +323,7 @@ impl Stretch<'_> {
         let stays = position.map(|position| {
             let sizes: Vec<f64> = speed.iter().map(|speed| speed.abs()).collect();
             let way = travelled(time, &sizes).last().unwrap_or(0.0);
-            let place = range(position.iter().copied());
+            let place = self.place(position);
             place <= 0.25 * way + resolved && place <= (1e-3 * self.span).max(resolved)
         });
         if stays == Some(false) {

@@ -57,6 +57,9 @@ impl Even {
 /// Fits evenly spaced instants to time stamps by least squares, t = a + b n, where n skips the rows that are missing: by
 /// rounding where the stamps scatter by less than half an interval, else at a lasting shift of the stamps.
 fn even(time: &[f64]) -> Option<Even> {
+    if let Some(even) = rounded_to_steps(time) {
+        return Some(even);
+    }
     // Over several rows the scatter matters less, and most stretches have no missing row.
     let over = time.iter().zip(time.iter().skip(ROWS_OVER)).map(|(one, other)| (other - one) / ROWS_OVER as f64);
     let start = median_of(over.collect())?;
@@ -99,6 +102,45 @@ fn rounding(time: &[f64]) -> f64 {
     let steps = || time.iter().zip(time.iter().skip(1)).map(|(one, other)| other - one);
     let least = steps().filter(|step| *step > 0.0).fold(f64::INFINITY, f64::min);
     if least.is_finite() && steps().any(|step| step == 0.0) { least } else { 0.0 }
+}
+
+/// Smallest number of rows with one stamp, on average, from which the rows are placed by the changes of the stamp.
+const ROWS_OF_STEP: f64 = 3.0;
+
+/// Returns evenly spaced instants of rows whose stamps are rounded to a step of several rows without a missing row: the stamp changes
+/// at the row that is first in its step, so that the line through the changes gives the interval; `None` for other stamps, and if
+/// the changes do not lie within a row of that line.
+fn rounded_to_steps(time: &[f64]) -> Option<Even> {
+    let step = rounding(time);
+    let count = time.len() as f64;
+    let changes: Vec<(f64, f64)> = time
+        .windows(2)
+        .zip(1_u32..)
+        .filter_map(
+            |(pair, row)| {
+                if let [one, other] = pair { (one != other).then_some((f64::from(row), *other)) } else { None }
+            },
+        )
+        .collect();
+    let (first, last) = (changes.first()?, changes.last()?);
+    let rows = (last.0 - first.0) / ((last.1 - first.1) / step);
+    // A single change, or rows that are as far apart as the stamps, show no interval.
+    if step <= 0.0 || !rows.is_finite() || rows < ROWS_OF_STEP {
+        return None;
+    }
+    let interval = step / rows;
+    let is_near = |(row, stamp): &(f64, f64)| ((row - first.0) * interval - (stamp - first.1)).abs() <= 1.5 * interval;
+    // The rows of the first and the last step are at most as many as those of the others.
+    let ends = [first.0, count - last.0];
+    if !changes.iter().all(is_near) || ends.iter().any(|end| *end > rows + 2.0) {
+        return None;
+    }
+    let start_s = first.1 - first.0 * interval;
+    let time_s: Vec<f64> = (0_u32..).take(time.len()).map(|row| f64::from(row) * interval).collect();
+    let off = time_s.iter().zip(time).map(|(even, stamp)| (stamp - start_s - even).powi(2)).sum::<f64>();
+    let mean = time_s.iter().zip(time).map(|(even, stamp)| stamp - start_s - even).sum::<f64>() / count;
+    let scatter_s = (off / count - mean * mean).max(0.0).sqrt();
+    Some(Even { time_s, start_s, interval_s: interval, scatter_s, rounded_s: step })
 }
 
 /// Returns the places of rows on an even grid; rows are missing where the stamps shift by whole intervals for good.

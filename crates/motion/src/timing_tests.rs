@@ -247,6 +247,36 @@ fn equal_stamps_are_replaced() {
 }
 
 /// A key without an effect is named: even stamps that become even, values that are not held; a recording at rest too.
+/// Evenly spaced rows last as long as the run, however coarse their stamps are: by a row, and by what the beginning of a step within
+/// a row leaves open.
+#[test]
+fn evenly_spaced_rows_last_as_long_as_the_run() {
+    for step in [1.0, 0.1, 0.001] {
+        for rate in [10.0, 20.0, 50.0, 100.0, 250.0, 1000.0] {
+            for duration in [2.0, 2.5, 3.37, 8.0, 41.0] {
+                for phase in [0.0, 0.031, 0.49, 0.93] {
+                    for to_nearest in [false, true] {
+                        let rows = (duration * rate + 1e-9_f64).floor();
+                        let stamp = |k: f64| {
+                            let t = (k / rate + phase) / step;
+                            step * if to_nearest { t.round() } else { (t + 1e-9).floor() }
+                        };
+                        let time: Vec<f64> = (0_u32..).take(rows as usize + 1).map(|k| stamp(f64::from(k))).collect();
+                        let even = evenly_spaced(&time).unwrap();
+                        let (found, expected) = (even[even.len() - 1] - even[0], rows / rate);
+                        let open =
+                            if step > 1.5 / rate { 1.5 * duration / (duration - 2.0 * step).max(step) } else { 0.5 };
+                        assert!(
+                            (found - expected).abs() <= open / rate,
+                            "{step} s {rate} Hz {duration} s {phase} {to_nearest}: {found} for {expected}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn keys_without_an_effect_are_named() {
     for law in 0..4 {

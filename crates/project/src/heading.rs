@@ -7,6 +7,7 @@ use crate::nearest::{nearest, other_names};
 use crate::read::{MAGNITUDES, Reader, joined, shortened};
 use crate::root::KEYS;
 use crate::{Fault, Hint, Range, TabularFault};
+use quantities::unit::PERCENT;
 use quantities::{Dimension, QuantityError, Unit};
 use std::borrow::Cow;
 
@@ -70,6 +71,7 @@ impl Heading {
         let unit = match key.kind {
             Kind::Quantity(dimension, _) => Some(in_unit(&[dimension])?),
             Kind::Along(turning, line, _) => Some(in_unit(&[turning, line])?),
+            Kind::Number(..) if key.kind.is_ratio() && unit == Some(PERCENT.ascii) => Some(&PERCENT),
             _ => {
                 if let Some(unit) = unit {
                     let unit = shortened(unit, HEADING_SHOWN);
@@ -124,7 +126,10 @@ impl Heading {
             return (plausible && cell.is_finite() && range.holds(unit.dimension, si)).then_some(si);
         }
         match self.key.kind {
-            Kind::Number(low, high) => (low..=high).contains(&cell).then_some(cell),
+            Kind::Number(low, high) => {
+                let si = if self.unit.is_some() { cell / 100.0 } else { cell };
+                (low..=high).contains(&si).then_some(si)
+            }
             _ => None,
         }
     }
@@ -155,7 +160,11 @@ impl Heading {
     /// Returns the number of a cell as written behind the key of a project file.
     #[must_use]
     pub fn written(&self, cell: f64) -> String {
-        self.unit.map_or_else(|| cell.to_string(), |unit| format!("{cell} {}", unit.ascii))
+        match (self.unit, self.key.kind) {
+            (Some(_), Kind::Number(..)) => (cell / 100.0).to_string(),
+            (Some(unit), _) => format!("{cell} {}", unit.ascii),
+            (None, _) => cell.to_string(),
+        }
     }
 
     /// Returns the word of a cell as a project file has it: `TRUE`, `True` and `WAHR`, as spreadsheets and data frames write

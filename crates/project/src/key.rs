@@ -65,6 +65,15 @@ impl Kind {
         }
     }
 
+    /// Returns `true` if the values are a ratio of two equal quantities near one, as efficiencies, shares and humidity, which the trade
+    /// writes in percent too. Gear ratios, factors and coefficients of friction go beyond.
+    #[must_use]
+    pub const fn is_ratio(&self) -> bool {
+        /// Largest value of such a ratio.
+        const MOST: f64 = 2.0;
+        matches!(*self, Self::Number(low, high) if low >= 0.0 && high <= MOST)
+    }
+
     /// Returns the keys of a table behind this key, or of an entry of a list of them; empty for a value.
     #[must_use]
     pub const fn keys(&self, entry: bool) -> &'static [Key] {
@@ -312,6 +321,59 @@ mod tests {
         for text in found {
             let faults = read_measured(&text).err().unwrap_or_default();
             assert!(!faults.iter().any(|fault| is_of_the_value(&fault.fault)), "{text}: {faults:?}");
+        }
+    }
+
+    /// Every ratio near one may be written in percent, with the bounds of its number; no other number may, as a gear ratio.
+    #[test]
+    fn every_ratio_takes_percent() {
+        fn numbers(keys: &'static [Key], heads: &str, path: &str, found: &mut Vec<(String, &'static Key)>) {
+            for key in keys {
+                let path = if path.is_empty() { key.name.to_owned() } else { format!("{path}.{}", key.name) };
+                let head = match key.kind {
+                    Kind::Variants(_) => format!("{heads}[[{path}]]\n"),
+                    _ => format!("{heads}[{path}]\n"),
+                };
+                if matches!(key.kind, Kind::Number(..) | Kind::Integer(..)) {
+                    found.push((heads.to_owned(), key));
+                }
+                numbers(key.kind.keys(false), &head, &path, found);
+            }
+        }
+        let faults = |text: &str| {
+            let mut reader = Reader::new(text);
+            let _: Root = reader.read();
+            let mut faults: Vec<Fault> = reader.report.into_faults().into_iter().map(|found| found.fault).collect();
+            faults.retain(is_of_the_value);
+            faults
+        };
+        let mut found = Vec::new();
+        numbers(KEYS, "", "", &mut found);
+        let (mut ratios, mut others) = (Vec::new(), Vec::new());
+        for (heads, key) in found {
+            let text = |value: &str| format!("{heads}{} = \"{value}\"\n", key.name);
+            if let Kind::Number(low, high) = key.kind
+                && key.kind.is_ratio()
+            {
+                for share in [low, f64::midpoint(low, high), high] {
+                    let written = text(&format!("{} %", 100.0 * share));
+                    assert!(faults(&written).is_empty(), "{written}: {:?}", faults(&written));
+                }
+                let beyond = text(&format!("{} %", 100.0 * high + 1.0));
+                assert!(matches!(faults(&beyond)[..], [Fault::NumberOutOfRange { .. }]), "{beyond}");
+                assert!(matches!(faults(&text("0.8"))[..], [Fault::WrongType { .. }]), "{heads}{}", key.name);
+                ratios.push(key.name);
+            } else {
+                assert!(matches!(faults(&text("80 %"))[..], [Fault::WrongType { .. }]), "{heads}{}", key.name);
+                others.push(key.name);
+            }
+        }
+        for name in ["efficiency", "efficiency_back", "humidity_min", "humidity_max", "flange_share", "mains_deviation"]
+        {
+            assert!(ratios.contains(&name), "{name}");
+        }
+        for name in ["ratio", "friction_coefficient", "load_factor", "pole_pairs"] {
+            assert!(others.contains(&name), "{name}");
         }
     }
 

@@ -225,6 +225,23 @@ impl<'t> Reader<'t> {
 
     /// Returns a plain number within bounds.
     pub(crate) fn number(&mut self, found: &FoundValue<'_, '_>) -> Option<f64> {
+        if let (Kind::Number(low, high), DeValue::String(text)) = (found.key.kind, found.value)
+            && found.key.kind.is_ratio()
+            && text.trim_end().ends_with('%')
+        {
+            return match quantities::parse(Dimension::Ratio, text) {
+                // Of two decimal numbers the nearest to the quotient: 80 % is 0.8.
+                Ok(reading) if (low..=high).contains(&(reading.value / 100.0)) => Some(reading.value / 100.0),
+                Ok(_) => {
+                    let fault = Fault::NumberOutOfRange { path: found.path.to_owned(), low, high };
+                    self.refuse(found.span.clone(), fault)
+                }
+                Err(error) => {
+                    let fault = Fault::Quantity { path: found.path.to_owned(), error, also: Vec::new() };
+                    self.refuse(found.span.clone(), fault)
+                }
+            };
+        }
         let (Kind::Number(low, high), DeValue::Integer(_) | DeValue::Float(_)) = (found.key.kind, found.value) else {
             return self.wrong_type(found);
         };

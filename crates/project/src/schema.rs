@@ -107,6 +107,12 @@ fn table(keys: &[Key], text: Words<'_>) -> Value {
 fn kind(key: &Key, text: Words<'_>) -> Value {
     match key.kind {
         Kind::Quantity(dimension, _) => reference(dimension),
+        Kind::Number(low, high) if key.kind.is_ratio() => json!({
+            "anyOf": [
+                { "type": "number", "minimum": low, "maximum": high },
+                { "type": "string", "pattern": "^\\s*[0-9.,]+\\s*%\\s*$" },
+            ],
+        }),
         Kind::Number(low, high) => json!({ "type": "number", "minimum": low, "maximum": high }),
         Kind::Numbers(low, high, most) => json!({
             "type": "array", "minItems": 1, "maxItems": most,

@@ -46,7 +46,11 @@ impl SweepCall {
         let pairs = self.pairs.iter().map(|(name, value)| (Cow::Borrowed(name.as_str()), value.as_str().into()));
         let arguments = ENTRY.arguments.iter().copied().filter(|argument| argument.name != TABLE);
         let given = Given::of(&arguments.collect::<Vec<Argument>>(), pairs, self.language)?;
-        let options = Args::read(&given)?.options(embedded_catalogue(), false, self.language)?;
+        let options = Args::read(&given)?.options(
+            embedded_catalogue(),
+            questions::sweep::Options::default().commas,
+            self.language,
+        )?;
         let file = self.text.read(Reads::Project, self.memory_allowed()?, self.language)?;
         let source = file.source();
         let text = source.text(self.language)?;

@@ -290,7 +290,9 @@ pub fn window_text(window: Time) -> String {
 fn windows(plain: &ExaminedRecording, stated: Option<Time>) -> Vec<(Time, bool)> {
     use motion::Spurious;
     let proposed = plain.made_up().and_then(|made_up| match made_up.cause {
-        Spurious::Steps { smoothing_s, .. } | Spurious::Updates { smoothing_s } => smoothing_s,
+        Spurious::Steps { smoothing_s, .. }
+        | Spurious::Updates { smoothing_s }
+        | Spurious::Noise { smoothing_s, .. } => smoothing_s,
         Spurious::Held { .. } | Spurious::Stamps { .. } => None,
     });
     let [_, interval, _] = plain.intervals_s;

@@ -99,6 +99,9 @@ impl<R: Read> Ahead<R> {
             }
             // A row counts once the next one confirms it or the file ends.
             if let Some((row, number, headings, delimiter)) = headers.scope(&seen) {
+                if let Some(fault) = headers.scale(&seen) {
+                    return Err(fault);
+                }
                 self.queue = std::iter::once((number, headings)).chain(seen.drain(row..)).collect();
                 self.take_comments(delimiter, u64::MAX);
                 return Ok(Some(HeadingPlace { delimiter, is_missing: false, notes: None }));

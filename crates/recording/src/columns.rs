@@ -4,7 +4,7 @@ use crate::collected::FaultCollector;
 use crate::faults::{Fault, NearColumn, excerpt};
 use crate::layout::{Layout, Role};
 use crate::limits::NAMES_MAX;
-use crate::names::{Named, Sureness, before_nanoseconds, before_seconds};
+use crate::names::{Named, Sureness, axis_of, before_nanoseconds, before_seconds};
 use crate::series::{Along, ColumnRead, KnownBy};
 use quantities::{Unit, seen};
 
@@ -149,6 +149,9 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut FaultColl
             }
         }
     }
+    if let Some(fault) = several_axes(headings, &picks, &taken) {
+        faults.push(fault);
+    }
     let [time, ..] = &picks;
     more.nanoseconds = time.as_ref().and_then(|time| nanoseconds(headings, time.index));
     let [time_failed, position_failed, speed_failed, _] = failed;
@@ -180,6 +183,30 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut FaultColl
         }
     }
     (picks, more)
+}
+
+/// Returns the fault of columns of different axes that were chosen by their usual names: `axis1.pos` and `axis2.tau`.
+fn several_axes(headings: &[Heading], picks: &Picks, taken: &[(usize, Role)]) -> Option<Fault> {
+    let chosen: Vec<(Role, &Heading)> = Role::ALL
+        .into_iter()
+        .zip(picks)
+        .filter(|(role, _)| *role != Role::Time)
+        .filter_map(|(role, pick)| Some((role, headings.get(pick.as_ref()?.index)?)))
+        .collect();
+    let is_named = |role: Role| taken.iter().any(|(_, other)| *other == role);
+    let axes: Vec<Option<(String, String)>> = chosen.iter().map(|(_, heading)| axis_of(&heading.named.bare)).collect();
+    let differ = axes.iter().enumerate().any(|(place, one)| {
+        let rest = axes.iter().skip(place + 1).flatten();
+        one.as_ref().is_some_and(|(word, index)| rest.into_iter().any(|(other, of)| word == other && index != of))
+    });
+    // What a layout names is meant so.
+    let is_stated = chosen.iter().filter(|(role, _)| !is_named(*role)).count() == 0;
+    (differ && !is_stated).then(|| Fault::SeveralAxes {
+        columns: chosen
+            .iter()
+            .map(|(role, heading)| (*role, writable(headings, heading).unwrap_or_else(|| excerpt(&heading.written))))
+            .collect(),
+    })
 }
 
 impl MoreTime {

@@ -18,6 +18,7 @@ use crate::number::{Bad, Decimals, Tick, finite, plain, with_unit};
 use crate::plain::{PlainRows, Written, plain_time};
 use crate::series::{Encoding, KnownBy, Recording};
 use crate::thousands::{Commas, Rows, Thousands};
+use crate::time_form::{TimeForm, form_of_integers};
 use memchr::memchr;
 use quantities::Unit;
 use quantities::unit::SECOND;
@@ -285,17 +286,6 @@ pub(crate) fn advance(lines: &mut Ahead<impl Read>, faults: &mut FaultCollector)
     lines.advance().map_err(|fault| faults.push(fault)).ok()
 }
 
-/// Returns the form of a column of time that counts no usual unit: that of WinCC, millionths of a day since 1899-12-30 despite its
-/// name, beside the clock time; `Time [FILETIME]`, hundreds of nanoseconds since 1601, as Windows counts.
-fn form_of_integers(heading: &Heading, headings: &[Heading]) -> Option<TimeForm> {
-    let is = |heading: &Heading, name: &str| heading.written.eq_ignore_ascii_case(name);
-    let has_unit = |unit: &str| heading.named.unit.as_ref().is_some_and(|stated| stated.eq_ignore_ascii_case(unit));
-    if is(heading, "Time_ms") && headings.iter().any(|other| is(other, "TimeString")) {
-        return Some(TimeForm::MillionthsOfDay);
-    }
-    has_unit("FILETIME").then_some(TimeForm::HundredsOfNanoseconds)
-}
-
 /// The columns in use, time first.
 #[derive(Default)]
 struct Wanted {
@@ -324,20 +314,6 @@ struct Wanted {
     blank: Option<Fault>,
     /// Times have separators of thousands.
     has_grouped_times: bool,
-}
-
-/// Notation of the times.
-#[derive(Default)]
-enum TimeForm {
-    #[default]
-    Number,
-    Clock(Clock),
-    /// Millionths of a day.
-    MillionthsOfDay,
-    /// Hundreds of nanoseconds.
-    HundredsOfNanoseconds,
-    /// Whole seconds; nanoseconds stand in the first column after the values.
-    Seconds,
 }
 
 impl Wanted {

@@ -4,45 +4,12 @@ pub use crate::damage::Damage;
 use crate::layout::Role;
 use crate::limits::{Limit, SAMPLES_MAX};
 use crate::packed::Foreign;
+pub use crate::places::{FileRow, Stamp};
 use crate::series::{Along, KnownBy};
 use quantities::{Angle, Dimension, Time, Unit, is_unseen};
-use std::fmt;
 use std::io::ErrorKind;
 use std::mem::Discriminant;
 use thiserror::Error;
-
-/// Place in a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum FileRow {
-    /// Line of a text, counted from 1 with every comment and empty line.
-    Line(u64),
-    /// Row of a table, counted from 1.
-    Row(u64),
-}
-
-impl fmt::Display for FileRow {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Line(number) => write!(formatter, "line {number}"),
-            Self::Row(number) => write!(formatter, "row {number}"),
-        }
-    }
-}
-
-/// A time in the unit of the file.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stamp {
-    /// Number as written.
-    pub value: f64,
-    /// Unit of the column.
-    pub unit: &'static Unit,
-}
-
-impl fmt::Display for Stamp {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "{} {}", self.value, self.unit.ascii)
-    }
-}
 
 /// A column that probably has a role.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -497,6 +464,32 @@ pub enum Fault {
         jump: Angle,
         /// There is a column of speed, which suffices.
         has_speed: bool,
+    },
+    /// Columns chosen by their names belong to different axes or channels.
+    #[error("the columns belong to different axes")]
+    SeveralAxes {
+        /// Columns with their roles, in their order.
+        columns: Vec<(Role, String)>,
+    },
+    /// A scope states a scale or an offset of a channel, but not if the values contain it.
+    #[error("the values of \"{column}\" may be scaled or not")]
+    ScaleUnknown {
+        /// Name of the channel.
+        column: String,
+        /// Scale and offset as written.
+        scale: [String; 2],
+    },
+    /// The position moves by about half a revolution between two samples; of a modulo axis the direction is not known.
+    #[error("{at:?}: the position moves by about half a revolution between two samples")]
+    StepUndecided {
+        /// Place of the second sample.
+        at: FileRow,
+        /// Time of the second sample.
+        time: Stamp,
+        /// Step from the sample before it.
+        step: Angle,
+        /// Number of such steps.
+        count: usize,
     },
     /// Lines below the last row are no rows, as a footer.
     #[error("{first}; below the last row, {count} lines like it")]

@@ -8,7 +8,7 @@ use crate::lacking::Lacking;
 use crate::layout::{Layout, Role};
 use crate::limits::{MAGNITUDE_MAX, SAMPLES_MAX, SAMPLES_MIN, STEP_MIN_S};
 use crate::memory::Memory;
-use crate::modulo::{first_jump, unwrap_revolutions};
+use crate::modulo::{first_jump, undecided_step, unwrap_revolutions};
 use crate::number::{Bad, Tick};
 use crate::order::Order;
 use crate::series::{Along, ColumnRead, RecordedCourse, Recording, Series};
@@ -333,6 +333,9 @@ impl<'m> Gather<'m> {
         if self.sound && !self.allow_gaps {
             self.check_gaps(faults);
         }
+        if self.sound {
+            self.check_steps(faults);
+        }
         let revolutions_removed = if self.sound { self.unwrap_turns() } else { 0 };
         if self.sound {
             self.check_turns(faults);
@@ -391,7 +394,11 @@ impl<'m> Gather<'m> {
         let median = if self.even_stamps { median.max(mean) } else { *median };
         // The difference of two rounded stamps is inexact by units of their last place.
         let largest = self.time_s.iter().fold(0.0_f64, |largest, time| largest.max(time.abs()));
-        let most = GAP_FACTOR * median * (1.0 + GAP_ROUNDING) + ROUNDING * largest;
+        // Equal stamps are rounded, to the smallest step between others.
+        let has_equal = self.even_stamps && steps().any(|step| step == 0.0);
+        let rounded = if has_equal { steps().filter(|step| *step > 0.0).fold(f64::INFINITY, f64::min) } else { 0.0 };
+        let rounded = if rounded.is_finite() { rounded } else { 0.0 };
+        let most = GAP_FACTOR * median * (1.0 + GAP_ROUNDING) + rounded + ROUNDING * largest;
         for (index, step) in (1..).zip(steps()) {
             if step > most {
                 let at = self.place(self.number_of(index));
@@ -405,6 +412,24 @@ impl<'m> Gather<'m> {
         let position = self.channels.iter_mut().find(|channel| channel.role == Role::Position);
         let turning = position.filter(|channel| Along::of(channel.unit) == Along::Turning);
         turning.map_or(0, |channel| unwrap_revolutions(&mut channel.values))
+    }
+
+    /// Reports steps of about half a revolution in positions that may be those of a modulo axis. A column of speed decides: if it does not
+    /// fit the positions, the recording is refused for that.
+    fn check_steps(&self, faults: &mut FaultCollector) {
+        let of = |role: Role| self.channels.iter().find(|channel| channel.role == role);
+        let turning = of(Role::Position).filter(|channel| Along::of(channel.unit) == Along::Turning);
+        let Some(position) = turning.filter(|_| of(Role::Speed).is_none()) else { return };
+        let Some((index, step, count)) = undecided_step(&position.values) else { return };
+        let time = self.first_kept.map_or(0.0, Tick::value)
+            + self.unit.from_si(self.time_s.get(index).copied().unwrap_or(0.0));
+        let time = Stamp { value: short(time), unit: self.unit };
+        faults.push(Fault::StepUndecided {
+            at: self.place(self.number_of(index)),
+            time,
+            step: Angle::from_si(step),
+            count,
+        });
     }
 
     /// Reports jumps of a position against the motion: a modulo axis whose jumps were not removed.

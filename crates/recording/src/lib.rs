@@ -40,12 +40,14 @@ mod number;
 mod order;
 mod packed;
 mod parquet;
+mod places;
 mod plain;
 mod preview;
 mod records;
 mod series;
 mod side;
 mod thousands;
+mod time_form;
 mod tools;
 
 pub use counted::refuse_long;

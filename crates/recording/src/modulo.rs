@@ -1,6 +1,7 @@
 //! Positions of modulo axes, which start again at one end of their range: 359.9°, 0.1°.
 
 use std::f64::consts::TAU;
+use std::ops::RangeInclusive;
 
 /// Share of the range of the position that a jump to the other end has at least.
 const JUMP_SHARE: f64 = 0.9;
@@ -9,7 +10,11 @@ const JUMP_SHARE: f64 = 0.9;
 const JUMP_FACTOR: f64 = 20.0;
 
 /// Largest step of a continuous rotation between two samples, as a share of a revolution.
-const STEP_SHARE: f64 = 0.25;
+const STEP_SHARE: f64 = 0.4;
+
+/// Smallest and largest step between two samples, as a share of a revolution, of which the direction is not known if the positions
+/// may be those of a modulo axis: half a revolution either way, with a tenth for the change of the speed between two samples.
+const UNDECIDED: RangeInclusive<f64> = STEP_SHARE..=1.0 - STEP_SHARE;
 
 /// Difference from a steady motion that the step across the end of the range may have, as a share of a revolution, in
 /// addition to the larger of the steps before and after it.
@@ -18,8 +23,9 @@ const STEADY_SHARE: f64 = 0.01;
 /// Removes the jumps of one revolution from the positions of a modulo axis \[rad\] and returns their number; zero if the
 /// positions are continuous, or no positions of a modulo axis.
 ///
-/// A step beyond half a revolution is such a jump if all positions lie within one revolution, every step is at most a
-/// quarter of one once its revolution is removed, and the motion is steady across the jump.
+/// A step beyond half a revolution is such a jump if all positions lie within one revolution, every step is at most 0.4 of one once
+/// its revolution is removed, and the motion is steady across the jump. Nearer to half a revolution the direction is not known, see
+/// [`undecided_step`].
 pub(crate) fn unwrap_revolutions(positions: &mut [f64]) -> usize {
     let (least, most) = range(positions);
     if most - least > TAU * (1.0 + 1e-9) {
@@ -47,6 +53,18 @@ pub(crate) fn unwrap_revolutions(positions: &mut [f64]) -> usize {
         *position += TAU * turns;
     }
     count
+}
+
+/// Returns the index of the sample after the first step of about half a revolution within positions of one revolution \[rad\], the step,
+/// and the number of such steps: of a modulo axis its direction is not known.
+pub(crate) fn undecided_step(positions: &[f64]) -> Option<(usize, f64, usize)> {
+    let (least, most) = range(positions);
+    if most - least > TAU * (1.0 + 1e-9) {
+        return None;
+    }
+    let mut found = steps(positions).enumerate().filter(|(_, step)| UNDECIDED.contains(&(step.abs() / TAU)));
+    let (index, step) = found.next()?;
+    Some((index + 1, step, 1 + found.count()))
 }
 
 /// Returns the index of the sample after the first jump from one end of the range to the other against the motion, its
@@ -123,6 +141,32 @@ mod tests {
         {
             let mut positions: Vec<f64> = degrees.iter().map(|degree: &f64| degree.to_radians()).collect();
             assert_eq!((unwrap_revolutions(&mut positions), first_jump(&positions)), (0, None), "{degrees:?}");
+        }
+    }
+
+    /// A rotation of any steady speed, wrapped to one revolution, is given back, or its steps are undecided: none is read as another
+    /// motion.
+    #[test]
+    fn a_wrapped_rotation_is_unwrapped_or_undecided() {
+        for start in [0.0, -TAU / 2.0] {
+            for thousandths in -990..=990_i32 {
+                let step = f64::from(thousandths) / 1000.0;
+                let positions: Vec<f64> = (0..40).map(|k| 0.1 + TAU * step * f64::from(k)).collect();
+                let mut wrapped: Vec<f64> = positions.iter().map(|at| start + (at - start).rem_euclid(TAU)).collect();
+                let offset = wrapped[0] - positions[0];
+                if let Some((_, found, _)) = undecided_step(&wrapped) {
+                    assert!((0.4..=0.6).contains(&(found.abs() / TAU)), "{step} {found}");
+                    continue;
+                }
+                unwrap_revolutions(&mut wrapped);
+                // Beyond half a revolution the samples are those of the rotation the other way.
+                let shown = step - step.round();
+                assert!(shown.abs() < 0.4, "{step}");
+                for (k, found) in (0..).zip(&wrapped) {
+                    let expected = positions[0] + TAU * shown * f64::from(k);
+                    assert!((found - expected - offset).abs() < 1e-9, "{step}: {found} {expected}");
+                }
+            }
         }
     }
 

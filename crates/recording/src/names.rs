@@ -116,6 +116,30 @@ fn parameter_number(words: &[String]) -> usize {
     if is_parameter && letter.is_ascii() { 1 + numbers } else { 0 }
 }
 
+/// Words before the number or the letter of an axis or a channel.
+const AXES: [&str; 14] = [
+    "axis", "ax", "achse", "joint", "gelenk", "drive", "antrieb", "motor", "servo", "link", "channel", "ch", "kanal",
+    "robot",
+];
+
+/// Returns the word for an axis or a channel in a name and its number or letter: `axis1.pos`, `Achse_X.Ist-Lage`, `joint_2/effort`; of
+/// a symbol with a number, `q1`, an empty word and the number.
+pub(crate) fn axis_of(bare: &str) -> Option<(String, String)> {
+    let words = words(bare);
+    let is_index = |word: &String| {
+        word.bytes().all(|byte| byte.is_ascii_digit()) || ["x", "y", "z", "a", "b", "c"].contains(&word.as_str())
+    };
+    if let [symbol, number] = words.as_slice()
+        && number.bytes().all(|byte| byte.is_ascii_digit())
+        && Role::ALL.iter().any(|role| role.names().contains(&symbol.as_str()))
+    {
+        return Some((String::new(), number.clone()));
+    }
+    let named =
+        words.iter().zip(words.iter().skip(1)).find(|(word, index)| AXES.contains(&word.as_str()) && is_index(index));
+    named.map(|(word, index)| (word.clone(), index.clone()))
+}
+
 /// Splits a heading into the name and a unit marked as one: `q [deg]`, `q (deg)`, `q {deg}`, `n / 1/min`, `n in 1/min`.
 #[must_use]
 pub fn name_and_unit(heading: &str) -> (String, Option<String>) {

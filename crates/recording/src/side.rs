@@ -1,6 +1,6 @@
 //! Headings of quantities at the motor shaft, in front of the gear.
 
-use crate::names::words;
+use crate::names::{Named, words};
 
 /// Parameters of SINAMICS that hold a speed or a torque of the motor: actual and smoothed speeds, speed setpoints, and
 /// torques (SINAMICS S120/S150 List Manual, r0020 to r0022, r0031, r0060 to r0063, r0079, r0080).
@@ -13,6 +13,32 @@ const ACTUAL_POSITION: u32 = 482;
 /// demand, velocity actual value, velocity sensor (CiA 402-2).
 const CIA_402: [&str; 3] = ["606b", "606c", "6069"];
 
+/// Words of the motor and of the shaft in front of the gear.
+const WORDS: [&str; 2] = ["rotor", "mtr"];
+
+/// Beginnings of German compounds of the input shaft: `Antriebsdrehzahl`, `Eingangsmoment`.
+const COMPOUNDS: [&str; 6] = [
+    "antriebsdrehzahl",
+    "antriebsmoment",
+    "antriebsdrehmoment",
+    "eingangsdrehzahl",
+    "eingangsmoment",
+    "eingangsdrehmoment",
+];
+
+/// Symbols of quantities of a shaft.
+const SYMBOLS: [&str; 12] = ["n", "m", "t", "q", "phi", "theta", "omega", "w", "tau", "φ", "ω", "τ"];
+
+/// Indices of the motor: n_M, M_M, τ_m, n_an.
+const INDICES: [&str; 3] = ["m", "an", "in"];
+
+/// Words of the input shaft before a quantity: `input speed`, `gear_input_torque`.
+const INPUTS: [&str; 3] = ["input", "eingang", "antrieb"];
+
+/// Quantities of a shaft.
+const QUANTITIES: [&str; 9] =
+    ["speed", "velocity", "torque", "position", "angle", "rpm", "drehzahl", "moment", "drehmoment"];
+
 /// Returns `true` if a heading denotes a quantity of the motor, by a word (`motor_speed`, `Motordrehzahl`) or by the
 /// name that a drive gives it: SINAMICS `r0482[0]`, `r0061`, `r0063`, `r0080`, Kollmorgen `VL.FB`, CiA 402 `606C`.
 #[must_use]
@@ -21,9 +47,15 @@ pub fn is_of_motor(heading: &str) -> bool {
     let pairs = || words.iter().zip(words.iter().skip(1)).map(|(first, second)| (first.as_str(), second.as_str()));
     let is_word = |word: &String| {
         let object = word.trim_start_matches("0x").trim_end_matches('h');
-        matches!(word.as_str(), "mot" | "rotor") || word.starts_with("motor") || CIA_402.contains(&object)
+        let is_in_front = || WORDS.contains(&word.as_str()) || COMPOUNDS.iter().any(|first| word.starts_with(first));
+        let is_motor = || word.starts_with("motor") || word.ends_with("motor") || word.ends_with("mot");
+        is_motor() || is_in_front() || CIA_402.contains(&object)
     };
     let is_pair = |(first, second): (&str, &str)| {
+        let is_input = || QUANTITIES.contains(&second) && INPUTS.contains(&first);
+        if is_input() {
+            return true;
+        }
         let is_parameter = || second.parse().is_ok_and(|number: u32| SINAMICS.contains(&number));
         first == "r" && is_parameter() || first == "vl" && matches!(second, "fb" | "fbfilter" | "fbunfiltered" | "cmd")
     };
@@ -32,7 +64,14 @@ pub fn is_of_motor(heading: &str) -> bool {
         .windows(2)
         .position(|pair| matches!(pair, [first, second] if first == "r" && second.parse() == Ok(ACTUAL_POSITION)));
     let index = of_encoder.map(|at| words.get(at + 2).map_or("0", String::as_str));
-    words.iter().any(is_word) || pairs().any(is_pair) || index.is_some_and(|index| !["1", "2"].contains(&index))
+    // Behind a symbol alone stands an index; `n_1_min` states a unit.
+    let bare = self::words(&Named::marked(heading).bare);
+    let is_indexed = matches!(bare.as_slice(), [symbol, index]
+        if SYMBOLS.contains(&symbol.as_str()) && INDICES.contains(&index.as_str()) || symbol == "n" && index == "1");
+    is_indexed
+        || words.iter().any(is_word)
+        || pairs().any(is_pair)
+        || index.is_some_and(|index| !["1", "2"].contains(&index))
 }
 
 #[cfg(test)]
@@ -59,6 +98,31 @@ mod tests {
             "MotorTorque",
             "n_mot [1/min]",
             "Axis1.Motor.ActVelo",
+            "n_mot",
+            "nMot",
+            "nmot [1/min]",
+            "Motordrehzahl",
+            "motor_rpm",
+            "MotorSpeed",
+            "actual motor speed",
+            "Actual_Motor_Speed [rpm]",
+            "speed (motor) [1/min]",
+            "Drehzahl Motor",
+            "Motor-Istdrehzahl",
+            "ServoMotor.Speed",
+            "n1",
+            "n_1 [1/min]",
+            "n_M",
+            "M_M [Nm]",
+            "tau_m [Nm]",
+            "theta_m [rad]",
+            "omega_mot",
+            "Antriebsdrehzahl",
+            "n_an [1/min]",
+            "input speed [rpm]",
+            "gear_input_torque",
+            "rotor position",
+            "mtr_spd",
         ] {
             assert!(is_of_motor(heading), "{heading}");
         }
@@ -70,6 +134,19 @@ mod tests {
             "joint_2/velocity",
             "PL.FB",
             "q_r 5",
+            "n2",
+            "n_ab",
+            "Abtriebsdrehzahl",
+            "output speed [rpm]",
+            "q1",
+            "M [Nm]",
+            "m",
+            "t [ms]",
+            "Antriebsachse_1.ActPos",
+            "n [1/min]",
+            "n_1_min",
+            "n / 1/min",
+            "q_m1",
             "motion",
             "Drehzahl",
         ] {

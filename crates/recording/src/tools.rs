@@ -3,6 +3,7 @@
 
 use crate::cells::{delimiter, split};
 use crate::clock::is_clock;
+use crate::faults::{Fault, excerpt};
 use crate::number::Decimals;
 use quantities::Unit;
 use std::ops::Range;
@@ -39,6 +40,31 @@ impl Headers {
     /// Returns `true` if the line of headings can be searched in the usual way.
     pub(crate) const fn are_over(&self) -> bool {
         self.labview == 0 && !self.is_scope
+    }
+
+    /// Returns the fault of a channel of a scope with a scale or an offset: an option of the export, which the file does not state, applies
+    /// them to the values (Beckhoff Infosys, TE13xx, *Export in csv*, *Scale values before export*).
+    pub(crate) fn scale(&self, seen: &[(u64, Vec<u8>)]) -> Option<Fault> {
+        let rows = || seen.iter().filter(|_| self.is_scope).filter_map(|(_, line)| split(line, delimiter(line)));
+        let of = |name: &str| rows().find(|cells| cells.first().is_some_and(|cell| cell.eq_ignore_ascii_case(name)));
+        let (scales, offsets) = (of("ScaleFactor"), of("Offset"));
+        let names = of("Name").or_else(|| of("SymbolName"));
+        let number = |text: &str| text.replacen(',', ".", 1).parse::<f64>().ok();
+        let places = scales.as_ref().or(offsets.as_ref())?.len();
+        let at = |cells: &Option<Vec<String>>, place: usize| cells.as_ref().and_then(|cells| cells.get(place)).cloned();
+        (0..places).find_map(|place| {
+            let (scale, offset) = (at(&scales, place), at(&offsets, place));
+            let is = |text: &Option<String>, neutral: f64| {
+                text.as_deref().and_then(number).is_none_or(|value| (value - neutral).abs() < f64::EPSILON)
+            };
+            (!is(&scale, 1.0) || !is(&offset, 0.0)).then(|| Fault::ScaleUnknown {
+                column: excerpt(&at(&names, place).unwrap_or_default()),
+                scale: [
+                    excerpt(&scale.unwrap_or_else(|| "1".to_owned())),
+                    excerpt(&offset.unwrap_or_else(|| "0".to_owned())),
+                ],
+            })
+        })
     }
 
     /// Returns the headings made from the properties of the channels of a scope: index of the first row, number of the line of the

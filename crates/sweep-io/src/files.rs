@@ -15,7 +15,8 @@ use quantities::Language;
 use quantities::unit::{MICROSECOND, MILLISECOND, SECOND};
 use questions::sweep::csv::{self, Broken, Columns, Lines};
 use recording::{
-    Commas, Bytes, Content, FILE_BYTES_MAX, Fault, Limit, Memory, Ranges, Sniffed, Table, TableColumn, TableValues, ValueKind,
+    Bytes, Commas, Content, FILE_BYTES_MAX, Fault, Limit, Memory, Ranges, Sniffed, Table, TableColumn, TableValues,
+    ValueKind,
 };
 use std::borrow::Cow;
 use std::fs::File;

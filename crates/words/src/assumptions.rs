@@ -485,6 +485,18 @@ fn spurious_text(made_up: &MadeUp, torque_nm: f64, language: Language) -> String
                 | "die aufgezeichnete {column} wird unregelmäßig aktualisiert, im Mittel alle {interval}, und der Zeitpunkt ist nur auf eine Zeile genau bekannt: das allein täuscht Beschleunigungen bis {alone} vor, an der Last {torque}, die Bewegung selbst hat {motion}; {remedy}"
             )
         }
+        Spurious::Noise { deviation, rms_rad_s2, smoothing_s } => {
+            let noise = match made_up.column {
+                SteppedColumn::Position => figure(deviation, &DEGREE, language),
+                SteppedColumn::Speed => figure(deviation, &REVOLUTION_PER_MINUTE, language),
+            };
+            let rms = figure(torque_nm * rms_rad_s2 / made_up.acceleration_rad_s2, &NEWTON_METRE, language);
+            let remedy = smoothing_text(smoothing_s, made_up.column, language);
+            said!(language =>
+                "the recorded {column} has noise of {noise} (standard deviation) at intervals of {interval}: the noise alone produces apparent accelerations of up to {alone} wherever the axis moves, {torque} at the load in T_peak and {rms} (rms), which adds to T_rms by its square, while the motion itself has {motion}; {remedy}"
+                | "die aufgezeichnete {column} hat Rauschen von {noise} (Standardabweichung) im Abstand von {interval}: es allein täuscht überall, wo die Achse sich bewegt, Beschleunigungen bis {alone} vor, an der Last {torque} in T_peak und {rms} effektiv, die quadratisch in T_rms eingehen, die Bewegung selbst hat {motion}; {remedy}"
+            )
+        }
         Spurious::Stamps { scatter_s } => {
             let scatter = figure(scatter_s, &MILLISECOND, language);
             said!(language =>

@@ -58,6 +58,9 @@ texts! {
     steps_alone(alone, motion) =
         "The steps of the file alone produce accelerations of up to {alone}; the motion itself has {motion}."
         | "Allein die Quantisierungsschritte der Datei ergeben Beschleunigungen bis {alone}; die Bewegung selbst hat {motion}.";
+    noise_alone(alone, motion) =
+        "The noise of the recorded values alone produces accelerations of up to {alone}; the motion itself has {motion}."
+        | "Allein das Rauschen der aufgezeichneten Werte ergibt Beschleunigungen bis {alone}; die Bewegung selbst hat {motion}.";
     in_the_peak = "The peak torque contains this." | "Das Spitzendrehmoment enthält diesen Anteil.";
     in_the_actuator_alone =
         "The recorded torque does not contain this, the torque for the actuator's own inertia does."

@@ -98,6 +98,10 @@ fn value(key: &Key, language: Language) -> String {
         Kind::Along(turning, line, range) => {
             format!("{} {} {}{}", name(turning), pages::or(language), name(line), bound(range))
         }
+        Kind::Number(low, high) if key.kind.is_ratio() => {
+            let example = format!("`\"{} %\"`", shown(100.0 * high.min(1.0)));
+            format!("{} {} {} {example}", pages::number(language), between(low, high), pages::or(language))
+        }
         Kind::Number(low, high) => format!("{} {}", pages::number(language), between(low, high)),
         Kind::Numbers(low, high, most) => {
             format!("{} {}{}", pages::numbers(language), between(low, high), pages::at_most(&most, language))

@@ -1,6 +1,7 @@
 //! Words for recordings that cannot be read.
 
 mod advice;
+mod axes;
 mod beyond;
 mod counter;
 mod foreign;
@@ -12,6 +13,7 @@ mod tables;
 use crate::pick;
 use crate::texts::said;
 use advice::{advised, below_rows};
+use axes::{scale_unknown, several_axes};
 use beyond::{beyond, damage};
 use counter::counter;
 use foreign::foreign;
@@ -19,7 +21,7 @@ use headings::{
     LIST_MOST, columns, columns_and_names, header, heading_missing, heading_of_units, list, toml_text,
     unit_without_column, valid_units,
 };
-use modulo::{position_jumps, turn_begun};
+use modulo::{position_jumps, step_undecided, turn_begun};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, Time, format_significant, with_symbol};
 use recording::{Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, MAGNITUDE_MAX, Role, STEP_MIN_S, Stamp};
@@ -214,6 +216,9 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                 None,
             )
         }
+        Fault::SeveralAxes { columns } => several_axes(columns, language),
+        Fault::ScaleUnknown { column, scale } => scale_unknown(column, scale, language),
+        Fault::StepUndecided { at, time, step, count } => step_undecided(*at, *time, *step, *count, language),
         Fault::TurnBegun { at, jump, has_speed } => turn_begun(*at, *jump, *has_speed, language),
         Fault::NoTable => (
             said!(language =>

@@ -191,7 +191,10 @@ pub(crate) fn takes(path: &str, value: &str) -> bool {
     match key_at(path).map(|key| key.kind) {
         None => false,
         Some(Kind::Quantity(..) | Kind::Along(..)) => is_quantity(path, value),
-        Some(Kind::Number(..)) => value.parse::<f64>().is_ok(),
+        Some(kind @ Kind::Number(..)) => {
+            let is_percent = || kind.is_ratio() && value.trim_end().ends_with('%');
+            value.parse::<f64>().is_ok() || is_percent() && parse(Dimension::Ratio, value).is_ok()
+        }
         Some(Kind::Integer(..)) => value.parse::<i64>().is_ok(),
         Some(Kind::Bool) => truth(value).is_some(),
         Some(Kind::OneOf(words)) => words.contains(&value),

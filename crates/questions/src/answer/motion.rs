@@ -79,6 +79,5 @@ fn recording(read: &RecordingRead) -> Recording {
         left_out_after: recording.left_out_after,
         columns: columns.collect(),
         unused: recording.unused.clone(),
-        comments: recording.comments,
     }
 }

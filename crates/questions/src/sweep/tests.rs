@@ -240,10 +240,9 @@ fn thousands_in_a_table_are_refused() {
     }
     // Where commas separate cells a point is decimal, and a quoted comma may be either.
     assert_eq!(found(&[["998", "500"], ["1.002", "500"]], Commas::None), []);
-    for (rows, commas) in [
-        ([["2,000", "500"], ["3,000", "500"]], Commas::Quoted),
-        ([["2,000", "500"], ["2,500", "500"]], Commas::None),
-    ] {
+    for (rows, commas) in
+        [([["2,000", "500"], ["3,000", "500"]], Commas::Quoted), ([["2,000", "500"], ["2,500", "500"]], Commas::None)]
+    {
         let faults = found(&rows, commas);
         assert!(faults.iter().all(|fault| fault.id == "thousands_possible") && !faults.is_empty(), "{faults:?}");
     }

@@ -71,6 +71,45 @@ fn a_marked_heading_stands_above_the_rows() {
     assert!(records.advance().unwrap() && records.text() == "0,5;1");
 }
 
+/// Columns of one axis, chosen by their names, belong together; those of different axes are refused with the line to write.
+#[test]
+fn columns_of_different_axes_are_not_combined() {
+    let rows = "0,1,2\n1,2,3\n2,3,4\n";
+    for [position, torque] in [
+        ["axis1.pos [deg]", "axis2.tau [Nm]"],
+        ["Achse_X.Ist-Lage [deg]", "Achse_Y.Moment [Nm]"],
+        ["joint_1/position [rad]", "joint_2/effort [Nm]"],
+        ["q1 [deg]", "tau2 [Nm]"],
+        ["Axis[1].ActPos [deg]", "Axis[2].ActTorque [Nm]"],
+    ] {
+        let faults = read(&format!("t [s],{position},{torque}\n{rows}")).unwrap_err();
+        assert!(
+            matches!(&faults[..], [Fault::SeveralAxes { columns }] if columns.len() == 2),
+            "{position}: {faults:?}"
+        );
+        let same = torque.replace('2', "1").replace("_Y", "_X");
+        assert!(read(&format!("t [s],{position},{same}\n{rows}")).is_ok(), "{same}");
+        assert!(read(&format!("t [s],{position},torque [Nm]\n{rows}")).is_ok(), "{position}");
+    }
+}
+
+/// The list of properties of a scope does not state if the values contain the scale of a channel.
+#[test]
+fn a_scale_of_a_scope_is_refused() {
+    let text = |scale: &str| {
+        format!(
+            "Name\tYT Scope Project\n\nName\tActPos\tName\tActVelo\nSymbolComment\t\tSymbolComment\t\n\
+             Data-Type\tREAL64\tData-Type\tREAL64\nSampleTime[ms]\t2\tSampleTime[ms]\t2\n\
+             Offset\t0\tOffset\t0\nScaleFactor\t{scale}\tScaleFactor\t1\nUnit\t° (Angle)\tUnit\t°/s (None)\n\n\
+             0\t0\t0\t0\n2\t0\t2\t0\n4\t0\t4\t0\n6\t0\t6\t0\n"
+        )
+    };
+    let faults = read(&text("0,01")).unwrap_err();
+    assert!(matches!(&faults[..], [Fault::ScaleUnknown { scale, .. }] if scale[0] == "0,01"), "{faults:?}");
+    let plain = read(&text("1"));
+    assert!(plain.is_ok(), "{plain:?}");
+}
+
 /// A row of which a sign makes a comment is not dropped: it would be missed in the motion.
 #[test]
 fn a_row_turned_into_a_comment_is_reported() {

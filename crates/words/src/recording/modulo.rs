@@ -1,10 +1,10 @@
 //! Positions of modulo axes.
 
-use super::{place, quoted};
+use super::{place, quoted, stamp};
 use crate::texts::said;
 use quantities::unit::{DEGREE, MILLIMETRE};
 use quantities::{Angle, Language, Measure, format_significant, with_symbol};
-use recording::{Along, Fault, FileRow};
+use recording::{Along, Fault, FileRow, Stamp};
 
 pub(super) fn turn_begun(at: FileRow, jump: Angle, has_speed: bool, language: Language) -> (String, Option<String>) {
     let jump = format!("{}°", format_significant(jump.in_unit(&DEGREE), 4, language));
@@ -23,6 +23,31 @@ pub(super) fn turn_begun(at: FileRow, jump: Angle, has_speed: bool, language: La
                 | "die Position über volle Umdrehungen hinweg ausgeben (ohne Modulo) oder die Drehzahl aufzeichnen"
             ),
         }),
+    )
+}
+
+pub(super) fn step_undecided(
+    at: FileRow,
+    time: Stamp,
+    step: Angle,
+    count: usize,
+    language: Language,
+) -> (String, Option<String>) {
+    let step = format!("{}°", format_significant(step.in_unit(&DEGREE), 4, language));
+    let time = stamp(time, language);
+    let more = match count {
+        1 => String::new(),
+        count => said!(language => " ({count} such steps)" | " (insgesamt {count} solche Schritte)"),
+    };
+    (
+        said!(language =>
+            "{}, {time}: the position moves by {step} between two samples{more}; all positions lie within one turn, and about half a turn of a modulo axis may be either direction"
+            | "{}, {time}: die Position ändert sich zwischen zwei Abtastwerten um {step}{more}; alle Positionen liegen in einer Umdrehung, und etwa eine halbe Umdrehung einer Moduloachse kann jede der beiden Richtungen sein", place(at, language)
+        ),
+        Some(said!(language =>
+            "record with a shorter interval, without modulo, or with the speed; read away from this point with from and to"
+            | "mit kürzerem Abstand, ohne Modulo oder mit der Drehzahl aufzeichnen; abseits dieser Stelle mit from und to lesen"
+        )),
     )
 }
 

@@ -351,7 +351,8 @@ fn recording_faults() -> Vec<AxisFault> {
         jump(recording::Along::Line, false),
     ];
     let foreign = recording::Foreign::ALL.map(|format| recording::Fault::Foreign { format });
-    let made = beyond.into_iter().chain(damaged).chain(samples).chain(foreign);
+    let made =
+        beyond.into_iter().chain(damaged).chain(samples).chain(foreign).chain(crate::axes_of_recordings::of_axes());
     all.extend(made.map(|fault| AxisFault::Recording { name: "run.parquet".to_owned(), fault }));
     let recorded = [
         RecordedFault::TooFew { samples: 2 },

@@ -1,5 +1,6 @@
 //! Tests of the crate from outside, in one program: each file is linked once for all.
 
+mod axes_of_recordings;
 mod catalogue_files;
 mod commissioned;
 mod complete;

@@ -85,6 +85,7 @@ pub(super) fn alone(examined: &ExaminedRecording, is_whole_load: bool, language:
     let [alone, motion] = [made_up.acceleration_rad_s2, made_up.motion_rad_s2].map(|si| figure(si, unit, 3, l));
     let cause = match made_up.cause {
         Spurious::Steps { .. } | Spurious::Updates { .. } => incoming::steps_alone(&alone, &motion, l),
+        Spurious::Noise { .. } => incoming::noise_alone(&alone, &motion, l),
         Spurious::Held { period_s } => incoming::held_alone(&figure(period_s, &MILLISECOND, 3, l), &alone, &motion, l),
         Spurious::Stamps { scatter_s } => {
             incoming::stamps_alone(&figure(scatter_s, &MILLISECOND, 3, l), &alone, &motion, l)

@@ -1,0 +1,90 @@
+use super::*;
+use crate::generated::Noise;
+use crate::{MadeUp, Recorded, Samples, Spurious, Treatment};
+use std::sync::Arc;
+
+/// Position and speed of a move of 1.5 rad in 1 s and back in 1.2 s, with rests, by x³ (10 − 15 x + 6 x²).
+fn motion(t: f64) -> (f64, f64) {
+    let one = |x: f64| {
+        let x = x.clamp(0.0, 1.0);
+        (x * x * x * (10.0 - 15.0 * x + 6.0 * x * x), 30.0 * x * x * (1.0 - x) * (1.0 - x))
+    };
+    let (forth, back) = (one(t - 0.3), one((t - 1.8) / 1.2));
+    (1.5 * (forth.0 - back.0), 1.5 * (forth.1 - back.1 / 1.2))
+}
+
+/// Largest speed of the motion [rad/s].
+const SPEED: f64 = 1.5 * 1.875;
+
+/// Effective torque of an inertia of 0.6 kgm² with a friction of 4 Nm while the axis moves.
+fn effective_torque(recorded: &Recorded) -> f64 {
+    let steps = recorded.time_s().windows(2).zip(recorded.speed_rad_s().windows(2));
+    let square = steps.map(|(t, w)| {
+        let (h, mean) = (t[1] - t[0], 0.5 * (w[0] + w[1]));
+        let friction = if mean == 0.0 { 0.0 } else { 4.0 * mean.signum() };
+        (0.6 * (w[1] - w[0]) / h + friction).powi(2) * h
+    });
+    (square.sum::<f64>() / recorded.duration_s()).sqrt()
+}
+
+/// Noise of position, of speed or of both: the effective torque keeps its value, or the remark covers the error within a factor of
+/// two; where both are recorded the axis is at rest.
+#[test]
+fn the_effect_of_noise_is_zero_or_stated() {
+    let mut stated = 0;
+    for h in [1e-3, 2e-3, 4e-3] {
+        let time: Vec<f64> = (0_u32..).map(|k| f64::from(k) * h).take_while(|t| *t <= 3.4).collect();
+        for share in [0.0, 1e-6, 1e-5, 1e-4, 1e-3] {
+            for (has_position, has_speed) in [(true, false), (false, true), (true, true)] {
+                for seed in 1..=3_u64 {
+                    let mut noise = Noise(seed * 7919);
+                    let position: Vec<f64> = time.iter().map(|t| motion(*t).0 + 1.5 * share * noise.normal()).collect();
+                    let speed: Vec<f64> = time.iter().map(|t| motion(*t).1 + SPEED * share * noise.normal()).collect();
+                    let samples = |position: &[f64], speed: &[f64]| Samples {
+                        time_s: Arc::new(time.clone()),
+                        position_rad: has_position.then(|| Arc::new(position.to_vec())),
+                        speed_rad_s: has_speed.then(|| Arc::new(speed.to_vec())),
+                        ..Samples::default()
+                    };
+                    let clean: (Vec<f64>, Vec<f64>) = time.iter().map(|t| motion(*t)).unzip();
+                    let truth = Recorded::new(samples(&clean.0, &clean.1), Treatment::default()).unwrap();
+                    let found = Recorded::new(samples(&position, &speed), Treatment::default()).unwrap();
+                    let (expected, torque) = (effective_torque(&truth), effective_torque(&found));
+                    let what = format!("{h} s {share} {has_position} {has_speed} {seed}: {torque} for {expected}");
+                    if has_speed {
+                        let ends = [100_usize, 200].map(|at| found.speed_rad_s()[at / (h / 1e-3) as usize]);
+                        assert!(ends == [0.0; 2], "{what}: rest at the beginning");
+                    }
+                    let error = torque * torque - expected * expected;
+                    match found.made_up() {
+                        Some(MadeUp { cause: Spurious::Noise { rms_rad_s2, .. }, .. }) => {
+                            stated += 1;
+                            let size = (0.6 * rms_rad_s2).powi(2);
+                            // The noise acts while the axis moves, 65 % of the time, or at its rests too.
+                            // Beside it noise hides the ends of the rests, where friction begins and ends to act.
+                            let ends = 8e-3 * expected * expected;
+                            let is_covered = (0.5 * size - ends..=2.0 * size + ends).contains(&error);
+                            assert!(is_covered, "{what}: {error} for {size}");
+                        }
+                        None => assert!((torque / expected - 1.0).abs() < 4e-3, "{what}"),
+                        Some(other) => panic!("{what}: {other:?}"),
+                    }
+                }
+            }
+        }
+    }
+    assert!(stated > 20, "{stated}");
+}
+
+/// A motion without noise, however coarsely it is sampled, shows none.
+#[test]
+fn a_motion_without_noise_shows_none() {
+    for count in [64_u32, 70, 100, 200, 1000, 10_000] {
+        let values = |at: &dyn Fn(f64) -> f64| -> Vec<f64> {
+            (0..count).map(|k| at(3.4 * f64::from(k) / f64::from(count))).collect()
+        };
+        assert_eq!(deviation(&values(&|t| motion(t).0)), 0.0, "{count}");
+        assert_eq!(deviation(&values(&|t| motion(t).1)), 0.0, "{count}");
+        assert_eq!(deviation(&values(&|t| (7.0 * t).sin())), 0.0, "{count}");
+    }
+}
