@@ -329,10 +329,6 @@ fn recording_faults() -> Vec<AxisFault> {
     ];
     let beyond = limits.map(|limit| recording::Fault::Beyond { limit, found: 2 << 20, most: 1 << 20 });
     let damaged = damages.map(|reason| recording::Fault::ParquetUnreadable { reason });
-    let jump = |along, has_speed| {
-        let (at, count) = (FileRow::Row(3), if has_speed { 1 } else { 2 });
-        recording::Fault::PositionJumps { at, column: name(), size: x(12.5), along, has_speed, count }
-    };
     let samples = [
         recording::Fault::ValueImplausible { at: FileRow::Line(3), column: name(), text: name() },
         recording::Fault::TooClose { at: FileRow::Row(3), length: q(1e-15) },
@@ -347,8 +343,6 @@ fn recording_faults() -> Vec<AxisFault> {
         recording::Fault::TurnBegun { at: FileRow::Line(3), jump: q(-6.2), has_speed: true },
         recording::Fault::TurnBegun { at: FileRow::Line(3), jump: q(-6.2), has_speed: false },
         recording::Fault::CommasTwice { line: 3, found: 4, expected: 2 },
-        jump(recording::Along::Turning, true),
-        jump(recording::Along::Line, false),
     ];
     let foreign = recording::Foreign::ALL.map(|format| recording::Fault::Foreign { format });
     let made =
