@@ -7,7 +7,7 @@ use crate::fault::{AxisDiagnostic, AxisFault};
 use project::sections::{ActuatorEntry, Section};
 use project::{Diagnostic, Fault, Hint, Key, Kind, TabularFault, nearest_name, shortened};
 use quantities::Dimension;
-use recording::{Records, Rows};
+use recording::{Records, RowKind};
 use std::fmt::Write;
 
 /// Heading of a column that names the kind of the product.
@@ -150,7 +150,7 @@ pub(crate) fn as_toml(name: &str, bytes: &[u8]) -> CsvText {
         }
     }
     let is_number = |index: usize| matches!(columns.get(index), Some(Column::Of(key, _)) if is_number(key));
-    if let Some(fault) = records.thousands(Rows::Entries, is_number) {
+    if let Some(fault) = records.thousands(RowKind::Entries, is_number) {
         found.fault((heading_line, 1), of_file(fault), None);
     }
     found

@@ -17,7 +17,7 @@ use crate::memory::Memory;
 use crate::number::{Bad, Decimals, Tick, finite, plain, with_unit};
 use crate::plain::{PlainRows, Written, plain_time};
 use crate::series::{Encoding, KnownBy, Recording};
-use crate::thousands::{Commas, Rows, Thousands};
+use crate::thousands::{Commas, RowKind, Thousands};
 use crate::time_form::{TimeForm, form_of_integers};
 use memchr::memchr;
 use quantities::Unit;
@@ -229,7 +229,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
     let mut decimals = if commas.may_be_decimal() { Decimals::Undecided } else { Decimals::PointAlways };
     let is_read = read_rows(&mut lines, &mut wanted, &mut cells, &mut decimals, &mut gather, faults);
     if decimals != Decimals::PointAlways
-        && let Some(found) = wanted.thousands.possible(Rows::Samples).next()
+        && let Some(found) = wanted.thousands.possible(RowKind::Samples).next()
     {
         // Numbers that may be a thousand times larger make every other fault of a cell doubtful.
         *faults = FaultCollector::default();

@@ -71,7 +71,7 @@ pub use preview::{PREVIEW_COLUMNS_MAX, Preview, PreviewColumn, preview_csv, prev
 pub use records::Records;
 pub use series::{Along, ColumnRead, Encoding, KnownBy, RecordedCourse, Recording, Series};
 pub use side::is_of_motor;
-pub use thousands::{Commas, Possible, Rows, Thousands, may_be_grouped};
+pub use thousands::{Commas, Possible, RowKind, Thousands, may_be_grouped};
 
 pub use ::bytes::Bytes;
 

@@ -8,7 +8,7 @@ use crate::faults::{Fault, excerpt};
 use crate::limits::{Limit, TABLE_COLUMNS_MAX};
 use crate::number::{Decimals, finite, with_unit};
 use crate::series::Encoding;
-use crate::thousands::{Commas, Rows, Thousands};
+use crate::thousands::{Commas, RowKind, Thousands};
 use std::io::Read;
 
 /// Rows of a table under its headings, read one after the other in a bounded buffer.
@@ -190,7 +190,7 @@ impl<R: Read> Records<R> {
 
     /// Returns the fault of a column with a heading that `is_used` whose numbers may have separators of thousands:
     /// `998`, `1.002`.
-    pub fn thousands(&self, rows: Rows, is_used: impl Fn(usize) -> bool) -> Option<Fault> {
+    pub fn thousands(&self, rows: RowKind, is_used: impl Fn(usize) -> bool) -> Option<Fault> {
         let found = self.thousands.possible(rows).find(|found| is_used(found.column))?;
         let column = excerpt(self.headings.get(found.column)?);
         Some(Fault::ThousandsPossible { line: found.place, column, text: found.text.clone() })

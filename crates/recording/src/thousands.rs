@@ -47,7 +47,7 @@ impl Commas {
 
 /// Kind of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rows {
+pub enum RowKind {
     /// Samples in the order of time, mostly with a fixed number of decimals.
     Samples,
     /// Rows of a spreadsheet, independent of one another.
@@ -156,10 +156,10 @@ impl Thousands {
     /// Returns the first number of each column whose sign may separate thousands, unless other cells show that it is decimal: where the
     /// column has numbers up to 999 without a sign too; where the number is quoted because of a comma; and in the rows of a
     /// spreadsheet, which writes thousands so, where a point stands before three digits in every number.
-    pub fn possible(&self, rows: Rows) -> impl Iterator<Item = &Possible> {
+    pub fn possible(&self, rows: RowKind) -> impl Iterator<Item = &Possible> {
         let open = self.columns.iter().filter(|column| !self.is_decimal && !column.is_plain);
         let is_meant = move |column: &Column, first: &Possible| {
-            let is_point = || rows == Rows::Entries && first.text.contains('.');
+            let is_point = || rows == RowKind::Entries && first.text.contains('.');
             column.has_small || self.commas == Commas::Quoted || is_point()
         };
         open.filter_map(move |column| column.first.as_ref().filter(|first| is_meant(column, first)))
@@ -196,19 +196,19 @@ mod tests {
                 thousands.note(2, &grouped(*value, sign), row as u64);
             }
             assert_eq!(
-                thousands.possible(Rows::Samples).map(|found| found.column).collect::<Vec<_>>(),
+                thousands.possible(RowKind::Samples).map(|found| found.column).collect::<Vec<_>>(),
                 [2],
                 "{values:?}"
             );
             // The same numbers beside a decimal, or without separators.
             thousands.note(0, "0.125", 99);
-            assert_eq!(thousands.possible(Rows::Samples).count(), 0);
+            assert_eq!(thousands.possible(RowKind::Samples).count(), 0);
             let mut plain = Thousands::of(Commas::Any);
             values.iter().for_each(|value| plain.note(0, &value.to_string(), 0));
-            assert_eq!(plain.possible(Rows::Entries).count(), 0);
+            assert_eq!(plain.possible(RowKind::Entries).count(), 0);
             let mut fixed = Thousands::of(Commas::Any);
             values.iter().for_each(|value| fixed.note(0, &format!("{value}.000"), 0));
-            assert_eq!(fixed.possible(Rows::Samples).count(), 0);
+            assert_eq!(fixed.possible(RowKind::Samples).count(), 0);
             Ok(())
         });
     }

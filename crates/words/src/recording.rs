@@ -1,7 +1,6 @@
 //! Words for recordings that cannot be read.
 
 mod advice;
-mod axes;
 mod beyond;
 mod counter;
 mod foreign;
@@ -13,7 +12,6 @@ mod tables;
 use crate::pick;
 use crate::texts::said;
 use advice::{advised, below_rows};
-use axes::{scale_unknown, several_axes};
 use beyond::{beyond, damage};
 use counter::counter;
 use foreign::foreign;
@@ -21,7 +19,7 @@ use headings::{
     LIST_MOST, columns, columns_and_names, header, heading_missing, heading_of_units, list, toml_text,
     unit_without_column, valid_units,
 };
-use modulo::{position_jumps, step_undecided, turn_begun};
+use modulo::{position_jumps, scale_unknown, several_axes, step_undecided, turn_begun};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, Time, format_significant, with_symbol};
 use recording::{Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, MAGNITUDE_MAX, Role, STEP_MIN_S, Stamp};

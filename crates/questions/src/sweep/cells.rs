@@ -5,7 +5,7 @@ use super::{Column, Holds, Options, Value};
 use crate::codes::read_code;
 use project::{Fault, Heading, Hint, Kind, TabularFault};
 use quantities::{Language, Unit, seen};
-use recording::{Commas, Rows, Thousands, may_be_grouped};
+use recording::{Commas, RowKind, Thousands, may_be_grouped};
 use std::borrow::Cow;
 use words::{fault_text, hint_text, sweeps};
 
@@ -173,7 +173,7 @@ impl Decimals {
         language: Language,
         faults: &mut TableFaults,
     ) {
-        for found in self.thousands.possible(Rows::Entries) {
+        for found in self.thousands.possible(RowKind::Entries) {
             let Some(column) = columns(found.column) else { continue };
             let (path, written) = (column.key().to_owned(), found.text.clone());
             let fault = Fault::Tabular(TabularFault::ThousandsPossible { path, written });

@@ -22,7 +22,9 @@ fn braked(index: usize, [closing, opening]: [f64; 2]) -> String {
     let products = embedded_catalogue().products(false);
     let with_brake = products.iter().filter(|product| product.parameters.brake.holding_torque.known().is_some());
     let product = with_brake.clone().nth(index % with_brake.count()).unwrap();
-    let stated = written(&product.parameters).into_iter().filter(|(key, ..)| !key.starts_with("brake_") || !key.ends_with("_time"));
+    let stated = written(&product.parameters)
+        .into_iter()
+        .filter(|(key, ..)| !key.starts_with("brake_") || !key.ends_with("_time"));
     let mut stated: Vec<_> = stated.collect();
     stated.push(("mass", product.parameters.mass.known().map(|mass| format!("{:?}", mass.value.si())), "kg"));
     stated.push(("brake_closing_time", Some(format!("{closing:?}")), "s"));
@@ -76,8 +78,14 @@ fn each_brake_has_its_times_beside_others() {
             assert_eq!(of(&candidate.judgement), of(&alone.judgement), "{id}");
             seen += 1;
         }
-        assert_eq!(seen, products.len(), "{:?}", sizing.candidates.iter().map(|each| each.id.to_string()).collect::<Vec<_>>());
-        let sweep = Sweep::new(("axis.toml", &text), Box::new(files()), &["mechanism.hoist.mass [kg]"], Options::default());
+        assert_eq!(
+            seen,
+            products.len(),
+            "{:?}",
+            sizing.candidates.iter().map(|each| each.id.to_string()).collect::<Vec<_>>()
+        );
+        let sweep =
+            Sweep::new(("axis.toml", &text), Box::new(files()), &["mechanism.hoist.mass [kg]"], Options::default());
         let masses = [5.0, 20.0, 40.0, 60.0, 90.0];
         let rows = sweep.unwrap().judge(&[Cells::Numbers(masses.map(Some).to_vec())], &Progress::endless()).unwrap();
         for (row, mass) in rows.iter().zip(masses) {
@@ -98,7 +106,8 @@ fn the_brakes_of_the_series_share_their_times() {
     let (closing, opening) = embedded_catalogue().brake_times().map(|times| (times.closing, times.opening)).unwrap();
     for product in embedded_catalogue().products(false) {
         let brake = &product.parameters.brake;
-        let same = |stated: Option<quantities::Time>, of_all: quantities::Time| stated.is_none_or(|stated| stated == of_all);
+        let same =
+            |stated: Option<quantities::Time>, of_all: quantities::Time| stated.is_none_or(|stated| stated == of_all);
         assert!(same(brake.closing_time.known().map(|known| known.value), closing), "{:?}", product.parameters.brake);
         assert!(same(brake.opening_time.known().map(|known| known.value), opening), "{:?}", product.parameters.brake);
     }

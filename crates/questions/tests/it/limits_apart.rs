@@ -47,7 +47,8 @@ fn a_requirement_that_is_not_met_shows_two_numbers() {
             ];
             for (unmet, language) in unmet.iter().flat_map(|unmet| [(unmet, Language::En), (unmet, Language::De)]) {
                 let text = unmet_text(unmet, language);
-                let numbers: Vec<&str> = text.split(' ').filter(|word| word.starts_with(|c: char| c.is_ascii_digit())).collect();
+                let numbers: Vec<&str> =
+                    text.split(' ').filter(|word| word.starts_with(|c: char| c.is_ascii_digit())).collect();
                 assert!(numbers.len() == 2 && numbers[0] != numbers[1], "{text}");
             }
         }

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
-use recording::{Fault, Layout, Recording, Records, Rows, read_csv};
+use recording::{Fault, Layout, Recording, Records, RowKind, read_csv};
 
 fn read(text: &str) -> Result<Recording, Vec<Fault>> {
     read_csv(text.as_bytes(), &Layout::default())
@@ -162,7 +162,7 @@ fn no_dialect_gives_other_numbers() {
             });
             is_refused |= row.is_err();
         }
-        is_refused |= records.thousands(Rows::Entries, |_| true).is_some();
+        is_refused |= records.thousands(RowKind::Entries, |_| true).is_some();
         let is_same = numbers.iter().zip(&values).all(|(found, [_, n])| (found - n).abs() < 1e-6);
         assert!(is_refused || is_same || is_known_limit && thousands == ",", "{text}");
         Ok(())

@@ -5,7 +5,7 @@ use super::headings;
 use crate::Refusal;
 use crate::progress::Stopped;
 use quantities::{Language, format_significant, seen};
-use recording::{Bytes, Content, Fault, Memory, Records, Rows};
+use recording::{Bytes, Content, Fault, Memory, Records, RowKind};
 use std::io::Read;
 use twin::{IdentifyFault, Observed};
 use words::{file_trouble, identification, recording_text, simulation};
@@ -303,7 +303,7 @@ fn of_csv(file: impl Read, memory: &mut Memory, most: u64, language: Language) -
         }
     }
     // Numbers that may be a thousand times larger make every other fault of a cell doubtful.
-    if let Some(fault) = records.thousands(Rows::Samples, |index| places.get(index).copied().flatten().is_some()) {
+    if let Some(fault) = records.thousands(RowKind::Samples, |index| places.get(index).copied().flatten().is_some()) {
         found.faults.clear();
         found.add(&[fault], language);
     }

@@ -151,7 +151,10 @@ fn loads_of_different_rests_are_combined_and_each_is_judged_alone() {
             match found.utilisation_band() {
                 Some([low, high]) => {
                     let by_one = if id == CheckId::BearingStatic { limit / by_one } else { by_one / limit };
-                    assert!((low / by_one - 1.0).abs() < 1e-9 && (high / share - 1.0).abs() < 1e-9, "{loads:?} {found:?}");
+                    assert!(
+                        (low / by_one - 1.0).abs() < 1e-9 && (high / share - 1.0).abs() < 1e-9,
+                        "{loads:?} {found:?}"
+                    );
                 }
                 None => assert!((combined / alone - 1.0).abs() < 1e-8, "{loads:?} {found:?}"),
             }
