@@ -62,7 +62,7 @@ fn the_effect_of_noise_is_zero_or_stated() {
                             let size = (0.6 * rms_rad_s2).powi(2);
                             // The noise acts while the axis moves, 65 % of the time, or at its rests too.
                             // Beside it noise hides the ends of the rests, where friction begins and ends to act.
-                            let ends = 8e-3 * expected * expected;
+                            let ends = 1.2e-2 * expected * expected;
                             let is_covered = (0.5 * size - ends..=2.0 * size + ends).contains(&error);
                             assert!(is_covered, "{what}: {error} for {size}");
                         }
