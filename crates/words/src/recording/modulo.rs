@@ -114,6 +114,7 @@ pub(super) fn scale_unknown(
     [scale, offset]: &[String; 2],
     language: Language,
 ) -> (String, Option<String>) {
+    let [scale, offset] = [scale, offset].map(|written| quoted(written, language));
     (
         said!(language =>
             "{} has the scale factor {scale} and the offset {offset} in the list of properties, which does not state if the values contain them"
