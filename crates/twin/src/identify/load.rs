@@ -115,7 +115,7 @@ pub(super) fn rows_of_delay(run: &Observed, windows: &Windows, load: &Load<'_, '
         let Part { own, factor } =
             (load.extra)(window.samples.start).map_or(Some(Part::NONE), |extra| part(run, window, load, extra))?;
         let regressors = vec![own, window.sign, window.speed, factor, factor * window.acceleration, window.torque_rate];
-        Some(Row { regressors, value: window.torque, stroke: window.stroke })
+        Some(Row { regressors, value: window.torque, stroke: window.stroke, phase: window.phase })
     };
     let rows: Vec<Row> = windows.all.iter().filter_map(row).collect();
     let error = error_share(&rows, 3) * norm(rows.iter().map(|row| row.value));
@@ -179,7 +179,7 @@ impl Columns {
         let added = own.map_or(0.0, |own| difference(&own, first, window, offset_rad));
         regressors.extend(is_free.then_some(added));
         regressors.extend(self.rate.then_some(window.torque_rate));
-        Row { regressors, value: if is_free { window.torque } else { window.torque - added }, stroke: window.stroke }
+        Row { regressors, value: if is_free { window.torque } else { window.torque - added }, stroke: window.stroke, phase: window.phase }
     }
 }
 
@@ -287,7 +287,7 @@ const UNSTATED: f64 = 0.04;
 fn unstated(rows: &[Row], fit_of_all: &Fit, own: &dyn Fn(&Row) -> Vec<f64>) -> Option<f64> {
     let residue = |row: &Row| {
         let value: f64 = row.regressors.iter().zip(&fit_of_all.values).map(|(a, b)| a * b).sum();
-        Row { regressors: own(row), value: row.value - value, stroke: row.stroke }
+        Row { regressors: own(row), value: row.value - value, stroke: row.stroke, phase: row.phase }
     };
     let square = |rows: &[Row]| rows.iter().map(|row| row.value * row.value).sum::<f64>();
     let (mut count, mut free) = (0.0, 0.0);
@@ -391,7 +391,7 @@ fn relative_to_stated(
             let mut regressors = vec![window.sign, window.speed, factor, factor * window.acceleration];
             regressors.extend(load.is_delayed.then_some(window.torque_rate));
             let flange = if load.losses.is_some() { load.flange_kgm2 * window.acceleration } else { 0.0 };
-            Some(Row { regressors, value: window.torque - own - flange, stroke: window.stroke })
+            Some(Row { regressors, value: window.torque - own - flange, stroke: window.stroke, phase: window.phase })
         })
         .collect();
     let noise = [0.0, windows.noise[1], 0.0, windows.noise[0]];
@@ -477,7 +477,7 @@ fn behind(row: &Row, [coulomb, viscous]: [f64; 2]) -> Row {
 pub(super) fn accelerating(windows: &Windows) -> Option<f64> {
     let row = |window: &Window| {
         let regressors = vec![window.acceleration, window.sign, window.speed, window.cosine, window.sine, 1.0];
-        Row { regressors, value: window.torque, stroke: window.stroke }
+        Row { regressors, value: window.torque, stroke: window.stroke, phase: window.phase }
     };
     let rows: Vec<Row> = windows.all.iter().map(row).collect();
     let (value, half) = fit(&rows, &[], &[])?.estimate(0)?;
@@ -498,7 +498,7 @@ fn shares_beside(run: &Observed, windows: &Windows, load: &Load<'_, '_>) -> Shar
             regressors.push(all - own);
         }
         regressors.extend(load.is_delayed.then_some(window.torque_rate));
-        Some(Row { regressors, value: window.torque, stroke: window.stroke })
+        Some(Row { regressors, value: window.torque, stroke: window.stroke, phase: window.phase })
     };
     let rows: Vec<Row> = windows.all.iter().filter_map(row).collect();
     let error = error_share(&rows, 3) * norm(rows.iter().map(|row| row.value));

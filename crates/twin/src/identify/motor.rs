@@ -242,7 +242,7 @@ impl<'w> Equations<'w> {
             }
             regressors.extend(self.has_zero.then_some(1.0));
             regressors.push(window.current_rate);
-            Row { regressors, value: window.current, stroke: window.stroke }
+            Row { regressors, value: window.current, stroke: window.stroke, phase: window.phase }
         };
         self.windows.iter().map(row).collect()
     }
@@ -299,7 +299,7 @@ impl<'w> Equations<'w> {
             regressors.extend(self.has_zero.then_some(1.0));
             regressors.extend(self.is_delayed.then_some(window.current_rate / scale.current));
             regressors.extend(self.has_torque_rate().then_some(window.torque_rate / scale.torque));
-            Row { regressors, value, stroke: window.stroke }
+            Row { regressors, value, stroke: window.stroke, phase: window.phase }
         };
         let sides = |window: &Window| [window.driving, window.torque - window.driving];
         let rows: Vec<Row> = self.windows.iter().map(|window| row(window, sides(window))).collect();
@@ -345,7 +345,7 @@ impl<'w> Equations<'w> {
                     let of_side: Vec<f64> = regressors.iter().map(|value| share * value).collect();
                     regressors.extend(of_side);
                 }
-                Row { regressors, value: window.torque, stroke: window.stroke }
+                Row { regressors, value: window.torque, stroke: window.stroke, phase: window.phase }
             };
             self.windows.iter().map(row).collect()
         };

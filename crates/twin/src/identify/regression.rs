@@ -2,12 +2,14 @@
 
 use numeric::Symmetric;
 
-/// An equation: regressors, value, and its stroke.
+/// An equation: regressors, value, its stroke, and its place in a cycle that repeats.
 #[derive(Clone, Debug)]
 pub(super) struct Row {
     pub(super) regressors: Vec<f64>,
     pub(super) value: f64,
     pub(super) stroke: usize,
+    /// Place within the repeated part of the run ([`Window::phase`](super::windows::Window::phase)).
+    pub(super) phase: [usize; 2],
 }
 
 /// A linear relation of the coefficients known with a standard deviation: Σ factor · coefficient = 0 ± spread.
@@ -161,15 +163,18 @@ pub(super) fn is_hidden(rows: &[Row], variance: f64, place: usize) -> bool {
 
 /// Fits the coefficients of linear equations by least squares.
 ///
-/// c = (XᵀX − n Σ_u + Σ w pᵀp)⁻¹ Xᵀy, cov c = s² g (XᵀX − n Σ_u + Σ w pᵀp)⁻¹, g = (1 + ρ)/(1 − ρ), w = s² g/σ_p²
+/// c = (XᵀX − n Σ_u + Σ w pᵀp)⁻¹ Xᵀy, cov c = s² g (XᵀX − n Σ_u + Σ w pᵀp)⁻¹, g = D (1 + ρ)/(1 − ρ), w = s² g/σ_p²,
+/// D = max(1, Σ_c (Σ_{k∈c} r_k)²/Σ r²)
 ///
 /// # Symbols
 /// X regressors, y values, n number of equations, Σ_u variances of the noise of the regressors, s² variance of the
-/// residuals, ρ their correlation from equation to equation within a stroke (at least that of windows that overlap by
-/// half), p and σ_p prior relations with their standard deviations
+/// residuals r, ρ their correlation from equation to equation within a stroke (at least that of windows that overlap by
+/// half), c the equations at one place of a cycle that repeats: an error that repeats with it, as the steps of a coarse position do, is
+/// no noise that more cycles average out; p and σ_p prior relations with their standard deviations
 /// # Source
 /// Fuller, Measurement Error Models (1987), eq. 2.2.11 for Σ_u; Theil and Goldberger, On pure and mixed statistical estimation in
-/// economics, International Economic Review 2 (1961), for the prior; n/g equations count as independent
+/// economics, International Economic Review 2 (1961), for the prior; Moulton, Random group effects and the precision of regression
+/// estimates, Journal of Econometrics 32 (1986), for D; n/g equations count as independent
 /// # Valid
 /// noise of the regressors small compared with the regressors
 pub(super) fn fit(rows: &[Row], noise: &[f64], priors: &[Prior]) -> Option<Fit> {
@@ -195,7 +200,7 @@ pub(super) fn fit(rows: &[Row], noise: &[f64], priors: &[Prior]) -> Option<Fit> 
             _ => None,
         });
         let rho = if square > 0.0 { (pairs.sum::<f64>() / square).clamp(OVERLAP, 0.95) } else { 0.0 };
-        let grown = (1.0 + rho) / (1.0 - rho);
+        let grown = (1.0 + rho) / (1.0 - rho) * repeated(rows, &residues);
         #[allow(clippy::cast_precision_loss, reason = "a handful")]
         let width = width as f64;
         variance = square / (count - width) * grown;
@@ -219,6 +224,17 @@ pub(super) fn fit(rows: &[Row], noise: &[f64], priors: &[Prior]) -> Option<Fit> 
         });
     }
     found
+}
+
+/// Returns D: the factor by which errors that repeat with the cycle raise the variances.
+fn repeated(rows: &[Row], residues: &[(usize, f64)]) -> f64 {
+    let mut placed: Vec<([usize; 2], f64)> =
+        rows.iter().zip(residues).map(|(row, (_, residue))| (row.phase, *residue)).collect();
+    placed.sort_by_key(|(phase, _)| *phase);
+    let of_place = |place: &[([usize; 2], f64)]| place.iter().map(|(_, residue)| residue).sum::<f64>().powi(2);
+    let together: f64 = placed.chunk_by(|(one, _), (other, _)| one == other).map(of_place).sum();
+    let square: f64 = residues.iter().map(|(_, residue)| residue * residue).sum();
+    if square > 0.0 { (together / square).max(1.0) } else { 1.0 }
 }
 
 /// Sums of products of the equations.
@@ -345,7 +361,7 @@ mod tests {
             .map(|k| {
                 let (a, b) = (random.normal(), random.normal());
                 let seen = a + noise * random.normal();
-                Row { regressors: vec![seen, b], value: 2.0 * a - 3.0 * b + 0.1 * random.normal(), stroke: k / 10 }
+                Row { regressors: vec![seen, b], value: 2.0 * a - 3.0 * b + 0.1 * random.normal(), stroke: k / 10, phase: [k, 0] }
             })
             .collect()
     }
@@ -393,6 +409,30 @@ mod tests {
         rows.iter_mut().take(130).for_each(|row| row.value += 0.2 * row.regressors[0]);
         let [plain, half] = [fit, compared].map(|solve| solve(&rows, &[], &[]).unwrap().estimate(0).unwrap().1);
         assert!(half > 3.0 * plain, "{half} {plain}");
+    }
+
+    /// An error that repeats with each of ten cycles is as large as in one of them, and the interval holds the coefficient; noise that
+    /// does not repeat leaves it as it is.
+    #[test]
+    fn an_error_that_repeats_is_not_averaged_out() {
+        let mut random = Random::new(7);
+        let [mut inside, mut wider, mut inside_if_one] = [0.0; 3];
+        for _ in 0..200 {
+            let cycle = rows(&mut random, 0.0).into_iter().take(80);
+            let cycle: Vec<Row> = cycle.enumerate().map(|(k, row)| Row { phase: [0, k], ..row }).collect();
+            let run: Vec<Row> = std::iter::repeat_n(cycle, 10).flatten().collect();
+            let (value, half) = fit(&run, &[], &[]).unwrap().estimate(0).unwrap();
+            inside += f64::from(u8::from((value - 2.0).abs() < half)) / 200.0;
+            let apart: Vec<Row> = run.iter().enumerate().map(|(k, row)| Row { phase: [k, 0], ..row.clone() }).collect();
+            let (value, half) = fit(&apart, &[], &[]).unwrap().estimate(0).unwrap();
+            inside_if_one += f64::from(u8::from((value - 2.0).abs() < half)) / 200.0;
+            let noisy: Vec<Row> =
+                run.iter().map(|row| Row { value: row.value + 3.0 * random.normal(), ..row.clone() }).collect();
+            let apart: Vec<Row> = noisy.iter().enumerate().map(|(k, row)| Row { phase: [k, 0], ..row.clone() }).collect();
+            let [placed, free] = [noisy, apart].map(|rows| fit(&rows, &[], &[]).unwrap().estimate(0).unwrap().1);
+            wider += placed / free / 200.0;
+        }
+        assert!(inside > 0.9 && inside_if_one < 0.6 && (1.0..1.1).contains(&wider), "{inside} {inside_if_one} {wider}");
     }
 
     /// An error that is no noise moves a coefficient at most by the interval that it makes.

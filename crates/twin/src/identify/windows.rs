@@ -11,6 +11,8 @@ pub(super) struct Window {
     pub(super) samples: Range<usize>,
     /// Stroke of the window: a stretch of motion in one direction.
     pub(super) stroke: usize,
+    /// Number of its stroke within the part of the run that repeats, and its own number within the stroke.
+    pub(super) phase: [usize; 2],
     /// Direction of motion, +1 or −1.
     pub(super) sign: f64,
     /// q \[rad\], ω [rad/s], α [rad/s²] of the load, from the position only.
@@ -383,6 +385,7 @@ impl Windows {
         is_even: &impl Fn(usize, usize) -> Result<bool, NoWindows>,
     ) -> Result<Self, NoWindows> {
         let mut all = Vec::new();
+        let period = strokes.period(run);
         for (stroke, (range, sign)) in strokes.ranges.iter().enumerate() {
             let count = range.len().saturating_sub(1);
             if count < length {
@@ -393,7 +396,8 @@ impl Windows {
             for place in 0..=gaps {
                 let first = range.start + (count - length) * place / gaps.max(1);
                 if is_even(first, first + length)? {
-                    all.extend(window(run, first..first + length + 1, (stroke, *sign), current_limit_a));
+                    let of_stroke = OfStroke { stroke, sign: *sign, phase: [stroke % period, place] };
+                    all.extend(window(run, first..first + length + 1, of_stroke, current_limit_a));
                 }
             }
         }
@@ -410,7 +414,39 @@ impl Windows {
     }
 }
 
+/// Stroke of a window, and its place there.
+struct OfStroke {
+    stroke: usize,
+    sign: f64,
+    phase: [usize; 2],
+}
+
+/// Deviation of the ends of a stroke, relative to its way, and of its duration, up to which another one repeats it. A choice.
+const REPEATS: f64 = 0.02;
+
 impl Strokes {
+    /// Returns the smallest number of strokes after which the run repeats itself, up to the first and the last stroke, which may be
+    /// cut; the number of all strokes if it does not.
+    fn period(&self, run: &Observed) -> usize {
+        let place = |index: usize| run.position_rad.get(index).copied().unwrap_or(f64::NAN);
+        let ends = |range: &Range<usize>| [place(range.start), place(range.end.saturating_sub(1))];
+        let repeats = |(one, sign): &(Range<usize>, f64), (other, of_other): &(Range<usize>, f64)| {
+            let ([from, to], [other_from, other_to]) = (ends(one), ends(other));
+            let way = REPEATS * (to - from).abs();
+            #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
+            let longer = one.len().abs_diff(other.len()) as f64 <= REPEATS * one.len() as f64 + 2.0;
+            sign == of_other && longer && (other_from - from).abs() <= way && (other_to - to).abs() <= way
+        };
+        let period = |strokes: &[(Range<usize>, f64)]| {
+            let is_period = |period: &usize| {
+                strokes.iter().zip(strokes.iter().skip(*period)).all(|(one, other)| repeats(one, other))
+            };
+            (1..strokes.len()).find(is_period)
+        };
+        let whole = self.ranges.get(1..self.ranges.len().saturating_sub(1)).unwrap_or_default();
+        period(&self.ranges).or_else(|| period(whole)).unwrap_or(self.ranges.len()).max(1)
+    }
+
     /// Returns the acceleration exceeded by a tenth of the samples in motion [rad/s²], from differences of the speed
     /// over a tenth of a stroke.
     fn ramp(&self, run: &Observed) -> f64 {
@@ -438,7 +474,7 @@ impl Strokes {
 fn window(
     run: &Observed,
     samples: Range<usize>,
-    (stroke, sign): (usize, f64),
+    OfStroke { stroke, sign, phase }: OfStroke,
     current_limit_a: Option<f64>,
 ) -> Option<Window> {
     let time = run.time_s.get(samples.clone())?;
@@ -493,6 +529,7 @@ fn window(
     Some(Window {
         samples,
         stroke,
+        phase,
         sign,
         position: q / all,
         speed: slope + bent / all,
