@@ -398,7 +398,9 @@ fn duty(axis: &Axis, sums: &[Sums]) -> DutyType {
     // without current.
     let holds = sum(|sums| sums.free_s) <= NONE * axis.moments.duration.si();
     let brakes = sum(|sums| sums.braked) > NONE * sum(|sums| sums.moved);
-    if has_rest {
+    // A load that is held all the time is a continuous one, at the speed zero.
+    let only_holds = holds && fastest <= 0.0;
+    if has_rest && !only_holds {
         let starting = sum(|sums| sums.changing_square) / sum(|sums| sums.torque_square);
         return match (holds, brakes) {
             (true, _) => DutyType::HeldAtStandstill,

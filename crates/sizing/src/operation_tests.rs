@@ -166,6 +166,20 @@ fn a_load_held_by_the_brake_rests_without_current() {
     assert_eq!(arm(Hold::Brake), DutyType::WithBraking);
 }
 
+/// A load that the motor holds all the time is continuous duty; one that changes meanwhile, duty with changes of the load.
+#[test]
+fn a_load_that_is_only_held_is_continuous_duty() {
+    let held = |torques: [f64; 2]| {
+        let segments = [Hold::Motor; 2].map(|hold| SegmentSpec::Dwell(Time::from_si(3.0), hold));
+        let motion = Motion::new(&segments, None, Closing::Speed).unwrap();
+        let load = Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(0.0));
+        let extras = torques.map(|torque| Extra { torque: Torque::from_si(torque), ..Extra::none() });
+        Operation::of(&Axis::new(load, motion, extras.to_vec()), &of_inertia()).unwrap().duty
+    };
+    assert_eq!(held([20.0, 20.0]), DutyType::Continuous);
+    assert_eq!(held([20.0, 35.0]), DutyType::ContinuousLoadChanges);
+}
+
 /// A trapezoidal move in closed form: I = 6.5 + 0.5 + 0.1 ω while accelerating, 0.5 + 0.5 + 0.4 A at 4 rad/s,
 /// −2.5 + 0.5 + 0.1 ω while braking, none at rest; of the power while braking −1.5 + 0.5 + 0.1 ω.
 #[test]

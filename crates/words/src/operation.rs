@@ -63,7 +63,7 @@ texts! {
     speed_changes =
         "continuous-operation periodic duty with related load/speed changes"
         | "ununterbrochener periodischer Betrieb mit Last- und Drehzahländerungen";
-    because_continuous = "speed and torque are constant, no standstill" | "Drehzahl und Drehmoment konstant, kein Stillstand";
+    because_continuous = "speed and torque are constant" | "Drehzahl und Drehmoment konstant";
     because_intermittent =
         "standstill without torque in every cycle; acceleration and braking contribute less than 10 % of ∫T²dt"
         | "in jedem Zyklus Stillstand ohne Drehmoment; Beschleunigen und Bremsen tragen weniger als 10 % zu ∫T²dt bei";
