@@ -3,6 +3,7 @@
 use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::chapter;
+use crate::command::effects;
 use crate::command::own::VARY;
 use crate::layout::Layout;
 use crate::save::not_to_stdout;
@@ -33,6 +34,9 @@ fn asked(matches: &ArgMatches) -> Option<(&'static Entry, &ArgMatches)> {
 /// Faults of the arguments, of the files and of the values that the call states.
 pub(crate) fn read(matches: &ArgMatches, language: Language) -> Result<(), Unanswered> {
     let Some((entry, found)) = asked(matches) else { return Ok(()) };
+    if let Some(refusal) = effects::refusal(entry.command(), found, language) {
+        return Err(refusal);
+    }
     let call = Call::read(entry, found, false, language)?;
     let inquiry = call.inquiry(entry)?;
     match entry.command {
@@ -60,6 +64,9 @@ pub(crate) fn read(matches: &ArgMatches, language: Language) -> Result<(), Unans
 /// Answers a question of the list: as a record, or in the layout of the terminal.
 pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<CommandAnswer, Unanswered> {
     let Some((entry, found)) = asked(matches) else { return Ok(CommandAnswer::none()) };
+    if let Some(refusal) = effects::refusal(entry.command(), found, language) {
+        return Err(refusal);
+    }
     // A file that cannot be written is reported before anything is read.
     let path = |option| found.try_get_one::<PathBuf>(option).ok().flatten();
     let mut pdfs = entry.files().filter(|file| file.is_pdf()).filter_map(|file| path(file.option));

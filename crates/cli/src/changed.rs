@@ -1,14 +1,19 @@
 //! A project with other values for one call: `--set KEY=VALUE` and `--scale WHAT=FACTOR`.
 
 pub(crate) mod keys;
+mod load;
 pub(crate) mod motion;
+mod relative;
 mod value;
 
 use crate::command::typed::{number_and_unit, typed};
 use clap::ArgMatches;
-use project::{Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, paced, stretch, truth, written};
+use project::{
+    Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, loads, paced, stretch, truth, written,
+};
 use quantities::{Language, seen};
 use questions::list::Unanswered;
+use relative::{Relative, relative, undecided};
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
 use value::{FACTORS, Fault, NAMED_KEYS_MOST, thousands, with_point};
@@ -157,7 +162,7 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
     };
     let all = written(text).unwrap_or_default();
     let stated = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
-    let key = keys::with_brackets(key);
+    let key = project::with_brackets(key);
     if let Some(fault) = number_of_scaled(&all, (prefix, &key), value, language) {
         return Err(fault);
     }
@@ -178,8 +183,14 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
                 return Err((terminal::set_no_key(&seen(&key), language), Some(usage_hint(&hint, language))));
             }
             found => {
-                let option = |path: &String| typed(["--set", &format!("{path}={}", seen(value))]);
-                let hint = UsageHint::Calls(found.iter().take(NAMED_KEYS_MOST).map(option).collect());
+                // The payloads of several moves have one word.
+                let is_payload = |path: &&String| path.ends_with("].payload");
+                let is_one = found.iter().filter(is_payload).count() < 2;
+                let mut keys: Vec<&str> =
+                    found.iter().filter(|path| is_one || !is_payload(path)).map(String::as_str).collect();
+                keys.extend((!is_one).then_some("payload"));
+                let option = |path: &&str| typed(["--set", &format!("{path}={}", seen(value))]);
+                let hint = UsageHint::Calls(keys.iter().take(NAMED_KEYS_MOST).map(option).collect());
                 let message = match found {
                     [one, other, ..] => terminal::set_which(&key, one, other, language),
                     _ => String::new(),
@@ -192,8 +203,10 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
     if prefix.is_empty() && !path.starts_with("axis[") && all.iter().any(|each| each.path.starts_with("axis[1]")) {
         return Err((terminal::set_which_axis(&format!("axis[1].{path}"), language), None));
     }
-    if let Some((path, count)) = keys::no_entry(&all, &path) {
-        return Err((sweeps::no_entry(&seen(&path), &count, language), None));
+    if let Some((entry, count)) = keys::no_entry(&all, &path) {
+        let call = project::nearest_entry(&all, &path).map(|path| typed(["--set", &format!("{path}={}", seen(value))]));
+        let hint = call.map(|call| usage_hint(&UsageHint::Calls(vec![call]), language));
+        return Err((sweeps::no_entry(&seen(&entry), &count, language), hint));
     }
     let before = stated(&path).unwrap_or("–").to_owned();
     let is_truth = key_at(&path).is_some_and(|key| matches!(key.kind, Kind::Bool));
@@ -210,6 +223,12 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
         let hint = UsageHint::Calls(lacking.iter().map(option).collect());
         return Err((terminal::set_unit(&path, language), Some(usage_hint(&hint, language))));
     }
+    let relative = match relative(&path, stated(&path), value) {
+        Relative::Undecided(values) => return Err(undecided(&path, value, &values, language)),
+        Relative::Value(value) => Some(value),
+        Relative::Absolute => None,
+    };
+    let value = relative.as_deref().unwrap_or(value);
     let done = edit(text, &path, Edit::Value(value)).map_err(|fault| (fault.to_string(), None))?;
     Ok((done, format!("{path} {before} → {}", if value.is_empty() { "–" } else { value })))
 }
@@ -320,6 +339,12 @@ pub(crate) fn factor(word: &str) -> Option<f64> {
     number.replace(',', ".").parse().ok()
 }
 
+/// Returns the factor that a statement is, with a sign as a percentage only.
+fn any_factor(text: &str) -> Option<f64> {
+    let plain = || text.replace(',', ".").parse().ok().filter(|_| !text.starts_with(['+', '-']));
+    share(text).or_else(|| factor(text)).or_else(plain)
+}
+
 /// Scales load, payloads, times or distances.
 fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(String, String), Fault> {
     let (what, factor) = change.split_once('=').map_or((change, ""), |(what, factor)| (what.trim(), factor.trim()));
@@ -328,12 +353,20 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
         let words: Vec<String> = SCALED.iter().map(|word| (*word).to_owned()).collect();
         return Err(bad(change, "scale", UsageHint::Words(project::Hint::ValidAre(words)), language));
     }
-    let is_signed = factor.starts_with(['+', '-']);
-    let plain = || factor.replace(',', ".").parse().ok().filter(|_| !is_signed);
-    let number = share(factor).or_else(|| self::factor(factor)).or_else(plain);
+    let number = any_factor(factor);
     let undecided = undecided_factors(factor);
+    let all = written(text).unwrap_or_default();
     if number.is_none() && !undecided.is_empty() {
-        let calls = undecided.iter().map(|factor| typed(["--scale", &format!("{what}={factor}")])).collect();
+        let found = if what == "load" { loads(&all, prefix) } else { Vec::new() };
+        let calls = match found.len() {
+            0 | 1 => undecided.iter().map(|factor| typed(["--scale", &format!("{what}={factor}")])).collect(),
+            // Of several loads each has its call for each factor.
+            _ => undecided
+                .iter()
+                .filter_map(|factor| any_factor(factor))
+                .flat_map(|factor| load::calls(&found, factor))
+                .collect(),
+        };
         let message = terminal::factor_undecided(&seen(factor), language);
         return Err((message, Some(usage_hint(&UsageHint::Calls(calls), language))));
     }
@@ -341,7 +374,6 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
     let Some(number) = number else {
         return Err(bad(change, "scale", UsageHint::Range("0.001".to_owned(), "1000".to_owned()), language));
     };
-    let all = written(text).unwrap_or_default();
     let further = |way: f64| {
         // A recording has no value that a factor could change, and the roll decides the length of a web.
         let is_given = |key: &project::Written| {
@@ -355,7 +387,7 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
         segments().try_fold(text.to_owned(), |text, key| stretch(&text, &key.path, 1.0, way).ok())
     };
     let done = match what {
-        "load" => load_scaled(text, prefix, number, number),
+        "load" => Some(load::scaled(text, (&all, prefix), number, language)?),
         "payload" => load_scaled(text, prefix, 1.0, number),
         "time" => paced(text, prefix, number),
         _ => further(number),

@@ -18,6 +18,7 @@ pub(crate) mod argument;
 pub(crate) mod begun;
 mod best;
 mod completed;
+pub(crate) mod effects;
 mod example;
 mod folder;
 mod kind;

@@ -209,7 +209,7 @@ pub fn truth(word: &str) -> Option<&'static str> {
 
 /// Splits a heading into key and unit: the unit is in the last brackets, behind a space or a text that is no entry of a
 /// list, or marked as in the heading of a recording: `load.inertia (kg m^2)`, `load.inertia / kg m^2`.
-fn parts(written: &str) -> (Cow<'_, str>, Option<Cow<'_, str>>) {
+pub(crate) fn parts(written: &str) -> (Cow<'_, str>, Option<Cow<'_, str>>) {
     let written = written.trim();
     let split = written.strip_suffix(']').and_then(|rest| rest.rsplit_once('['));
     match split {
@@ -235,7 +235,7 @@ fn located(name: &str, counted: Counted, axis: Option<usize>) -> Option<(String,
 }
 
 /// Returns `true` if a cell can hold a value of a key.
-const fn may_be_a_column(key: &Key) -> bool {
+pub(crate) const fn may_be_a_column(key: &Key) -> bool {
     !matches!(
         key.kind,
         Kind::Numbers(..)

@@ -74,6 +74,16 @@ impl Kind {
         matches!(*self, Self::Number(low, high) if low >= 0.0 && high <= MOST)
     }
 
+    /// Returns the dimensions that the value of a key may have; empty if it is no quantity.
+    #[must_use]
+    pub fn dimensions(self) -> Vec<Dimension> {
+        match self {
+            Self::Quantity(dimension, _) => vec![dimension],
+            Self::Along(turning, line, _) => vec![turning, line],
+            _ => Vec::new(),
+        }
+    }
+
     /// Returns the keys of a table behind this key, or of an entry of a list of them; empty for a value.
     #[must_use]
     pub const fn keys(&self, entry: bool) -> &'static [Key] {

@@ -6,7 +6,7 @@ use crate::read::{WORD_SHOWN, shortened};
 use quantities::Dimension;
 
 /// Other names of keys: those of other programs, and German ones, each with the keys that it may name, the usual one first.
-const OTHER_NAMES: [(&str, &[&str]); 60] = [
+const OTHER_NAMES: [(&str, &[&str]); 89] = [
     ("angle", &["distance"]),
     ("stroke", &["distance"]),
     ("travel", &["distance"]),
@@ -67,6 +67,35 @@ const OTHER_NAMES: [(&str, &[&str]); 60] = [
     ("hoehe", &["height", "altitude"]),
     ("breite", &["width"]),
     ("dichte", &["density"]),
+    ("untersetzung", &["ratio"]),
+    ("getriebe", &["ratio"]),
+    ("gear_ratio", &["ratio"]),
+    ("seilmasse", &["rope_mass"]),
+    ("rope", &["rope_mass"]),
+    ("seilstraenge", &["falls"]),
+    ("straenge", &["falls"]),
+    ("strands", &["falls"]),
+    ("drum", &["drum_diameter"]),
+    ("pulley", &["pulley_diameter"]),
+    ("riemenscheibe", &["pulley_diameter"]),
+    ("ritzel", &["pulley_diameter"]),
+    ("pinion", &["pulley_diameter"]),
+    ("walze", &["roller_diameter"]),
+    ("walzendurchmesser", &["roller_diameter"]),
+    ("bahnzug", &["tension"]),
+    ("zugkraft", &["tension"]),
+    ("bahngeschwindigkeit", &["speed"]),
+    ("dicke", &["thickness"]),
+    ("huelse", &["core_diameter"]),
+    ("core", &["core_diameter"]),
+    ("spindelsteigung", &["lead"]),
+    ("pitch", &["lead"]),
+    ("reibwert", &["friction_coefficient"]),
+    ("friction", &["friction_torque", "friction_force", "friction_coefficient"]),
+    ("hubhoehe", &["distance"]),
+    ("armlaenge", &["arm_length", "length"]),
+    ("traegheit", &["inertia"]),
+    ("haltebremse", &["brake"]),
 ];
 
 /// Letters of names as [`OTHER_NAMES`] writes them: umlauts by two letters.

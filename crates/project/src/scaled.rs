@@ -6,7 +6,7 @@ use crate::edit::{EditFault, edit_values, key_at, written};
 use crate::key::{Key, Kind};
 use crate::motion::{Segment, SegmentLaw};
 use crate::section::{OfKinds, Section};
-use quantities::Dimension;
+use quantities::{Dimension, parse};
 use std::collections::BTreeMap;
 
 /// Digits of a stretched segment; more than a pointer in a picture resolves.
@@ -150,7 +150,7 @@ pub fn load_scaled(text: &str, prefix: &str, load: f64, payload: f64) -> Option<
 }
 
 /// Scales the masses and densities of bodies that are written as texts, one a line.
-fn bodies_scaled(lines: &str, factor: f64) -> Option<String> {
+pub(crate) fn bodies_scaled(lines: &str, factor: f64) -> Option<String> {
     let word = |word: &str| match word.split_once('=') {
         Some((key @ ("mass" | "density"), value)) => Some(format!("{key}={}", scaled(value, factor, EXACT_DIGITS)?)),
         _ => Some(word.to_owned()),
@@ -160,7 +160,7 @@ fn bodies_scaled(lines: &str, factor: f64) -> Option<String> {
 }
 
 /// Scales a quantity as written; a tolerance in percent is kept, one in a unit is scaled too.
-fn scaled(stated: &str, factor: f64, digits: i32) -> Option<String> {
+pub(crate) fn scaled(stated: &str, factor: f64, digits: i32) -> Option<String> {
     let is_number = |sign: char| sign.is_ascii_digit() || matches!(sign, '.' | '+' | '-');
     let stated = stated.trim();
     let end = stated.char_indices().find(|(place, sign)| {
@@ -177,6 +177,25 @@ fn scaled(stated: &str, factor: f64, digits: i32) -> Option<String> {
         }
         _ => Some(format!("{new}{rest}")),
     }
+}
+
+/// Returns a quantity as stated, multiplied by a factor; `None` for a text that begins with no number.
+#[must_use]
+pub fn multiplied(stated: &str, factor: f64) -> Option<String> {
+    scaled(stated, factor, EXACT_DIGITS)
+}
+
+/// Returns the sum of a stated quantity and another one, in the stated unit and with the stated tolerance: `80 kg` and `+5kg` are
+/// `85 kg`. `None` if one of them is no quantity of the dimension.
+#[must_use]
+pub fn increased(stated: &str, by: &str, dimension: Dimension) -> Option<String> {
+    let end = ["±", "+-", "+/-"].iter().filter_map(|sign| stated.find(sign)).min().unwrap_or(stated.len());
+    let (value, tolerance) = stated.split_at_checked(end)?;
+    let (old, more) = (parse(dimension, value).ok()?.si, parse(dimension, by).ok()?.si);
+    if old == 0.0 {
+        return Some(by.trim().trim_start_matches('+').to_owned());
+    }
+    Some(format!("{}{tolerance}", scaled(value, (old + more) / old, EXACT_DIGITS)?))
 }
 
 /// Writes a number with some digits, without trailing zeros.
@@ -260,6 +279,22 @@ mod tests {
         let joint = "[mechanism.joint]\ninertia = \"1 kg m^2\"\n";
         assert_eq!(load_scaled(joint, "", 2.0, 2.0), None);
         assert_eq!(load_scaled("[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n", "", 2.0, 2.0), None);
+    }
+
+    #[test]
+    fn a_sum_has_the_unit_and_the_tolerance_of_the_stated_value() {
+        for (stated, by, sum) in [
+            ("80 kg", "+5kg", "85 kg"),
+            ("80 kg", "-5000 g", "75 kg"),
+            ("0.8 s", "+200 ms", "1 s"),
+            ("8 kg ± 1 kg", "+2 kg", "10 kg ± 1 kg"),
+            ("0 kg", "+2 kg", "2 kg"),
+            ("3kg", "-4kg", "-1kg"),
+        ] {
+            let dimension = if stated.contains('s') { Dimension::Time } else { Dimension::Mass };
+            assert_eq!(increased(stated, by, dimension).as_deref(), Some(sum), "{stated} {by}");
+        }
+        assert_eq!(increased("80 kg", "+5 s", Dimension::Mass), None);
     }
 
     #[test]

@@ -335,6 +335,24 @@ impl Sweep {
         }
     }
 
+    /// Returns the codes that the rows of some cells state; `None` without a column of codes.
+    #[must_use]
+    pub fn codes_of_rows(&self, cells: &[Cells<'_>]) -> Option<Vec<Option<String>>> {
+        let place = self.columns.iter().position(|column| matches!(column.holds, Holds::Code))?;
+        match cells.get(place)? {
+            Cells::Texts(texts) => {
+                let of = |text: &Option<Cow<'_, str>>| {
+                    text.as_deref().map(|text| match read_code(text, self.options.language) {
+                        Ok(found) => found.parsed.code.to_string(),
+                        Err(_) => text.trim().to_owned(),
+                    })
+                };
+                Some(texts.iter().map(of).collect())
+            }
+            _ => None,
+        }
+    }
+
     fn product(&self, values: &[Value<'_>]) -> Option<ProductId> {
         let of = |(column, value): (&Column, &Value<'_>)| match (&column.holds, value) {
             (Holds::Code, Value::Text(text)) => {

@@ -52,7 +52,8 @@ impl BatchHead {
     /// Reads a project, by its name and text, and the headings of a table for it.
     #[must_use]
     pub fn of(project: (&str, &str), files: &dyn Files, table: &Schema, repeats: Repeats, options: Options) -> Self {
-        Self::with(table, repeats, options, |headings, options| sweep::Head::of(project, files, headings, options))
+        let read = |headings: &[&str], options| sweep::Head::of(project, files, headings, options);
+        Self::with(project.1, table, repeats, options, read)
     }
 
     /// Reads the headings of a table for a project, by its text and its axes or the reason why they cannot be read.
@@ -64,10 +65,12 @@ impl BatchHead {
         repeats: Repeats,
         options: Options,
     ) -> Self {
-        Self::with(table, repeats, options, |headings, options| sweep::Head::read(text, projects, headings, options))
+        let read = |headings: &[&str], options| sweep::Head::read(text, projects, headings, options);
+        Self::with(text, table, repeats, options, read)
     }
 
     fn with(
+        text: &str,
         table: &Schema,
         repeats: Repeats,
         options: Options,
@@ -76,13 +79,15 @@ impl BatchHead {
         let (answers, language) = (answered(&options.wanted), options.language);
         let names: Vec<&str> = table.fields().iter().map(|field| field.name().as_str()).collect();
         let mut columns = TableColumns::of(&names);
-        let keys: Vec<&str> = columns.keys.iter().filter_map(|place| names.get(*place).copied()).collect();
+        let keys = columns.as_meant(&names, text, options.axis.as_deref());
+        let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
         let mut head = read(&keys, options);
         if repeats != Repeats::Labels {
             let inputs = columns.keys.iter().filter_map(|place| Some((*place, (*names.get(*place)?).to_owned())));
             // Codes of the table are those of the answer.
             columns.carried.extend(inputs.filter(|(_, name)| name.trim() != CODE));
             columns.carried.sort();
+            columns.carried.dedup();
         }
         let own: Vec<&str> = answers.fields().iter().map(|field| field.name().as_str()).collect();
         columns.faults(&own, language).for_each(|fault| head.refuse(fault));
@@ -250,6 +255,9 @@ impl BatchSweep {
             Wanted::Every(checks) => every(&answers, first_row, checks),
             Wanted::Front => front(&answers, first_row),
         };
+        if let Some(codes) = self.sweep.codes_of_rows(&cells) {
+            with_codes(&mut columns, &codes, first_row);
+        }
         let broken = |error: arrow_schema::ArrowError| Unanswered::message(error.to_string());
         if !self.columns.carried.is_empty() {
             // An answer has several lines for a row.
@@ -264,6 +272,25 @@ impl BatchSweep {
             }
         }
         RecordBatch::try_new(self.schema(), columns).map_err(broken)
+    }
+}
+
+/// Enters the code that a row states where its answer has none: a row that cannot be judged.
+fn with_codes(columns: &mut [ArrayRef], codes: &[Option<String>], first_row: u64) {
+    let rows: Vec<u64> = columns
+        .first()
+        .and_then(|rows| rows.as_primitive_opt::<UInt64Type>())
+        .map(|rows| rows.values().to_vec())
+        .unwrap_or_default();
+    let Some(column) = columns.iter_mut().skip(1).find(|column| column.as_string_opt::<i32>().is_some()) else {
+        return;
+    };
+    let filled = column.as_string_opt::<i32>().map(|known| {
+        let stated = |row: &u64| codes.get(usize::try_from(row - first_row).ok()?)?.as_deref();
+        known.iter().zip(&rows).map(|(code, row)| code.or_else(|| stated(row))).collect::<StringArray>()
+    });
+    if let Some(filled) = filled {
+        *column = Arc::new(filled);
     }
 }
 

@@ -55,6 +55,21 @@ impl ScenarioId {
     pub fn of(id: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|each| each.id() == id)
     }
+
+    /// Returns `true` if the scenario is an event at an instant.
+    #[must_use]
+    pub const fn has_instant(self) -> bool {
+        match self {
+            Self::Cycle | Self::BrakeStuck | Self::BatteryLoss | Self::HotAmbient | Self::ColdGrease => false,
+            Self::HangingLoad
+            | Self::EmergencyStop
+            | Self::PowerFailure
+            | Self::BlockedLoad
+            | Self::EncoderFailure
+            | Self::LinkSag
+            | Self::Collision => true,
+        }
+    }
 }
 
 /// Part of a motion that is run instead of the whole.

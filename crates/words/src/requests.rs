@@ -36,6 +36,8 @@ texts! {
     kind_recording =
         "recorded motion and torque (CSV or Parquet), the same file as joint"
         | "aufgezeichnete Bewegung mit Drehmoment (CSV oder Parquet), dieselbe Datei wie joint";
+    of_a_workbook_only =
+        "only the first sheet of a workbook states it; leave out --table" | "nur das erste Blatt einer Mappe nennt es; --table weglassen";
     kind_sweep = "table of many axes for antrieb sweep" | "Tabelle vieler Achsen für antrieb sweep";
     moves =
         "Motion of an axis, every segment with the derived quantities"

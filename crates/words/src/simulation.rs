@@ -217,6 +217,12 @@ texts! {
     winding_swing = "winding temperature swing over a day" | "Schwankung der Wicklungstemperatur über einen Tag";
     housing_swing = "housing temperature swing over a day" | "Schwankung der Gehäusetemperatur über einen Tag";
     energy_housing = "heat in the housing" | "Wärme im Gehäuse";
+    refused_at =
+        "the scenario has no instant; state one with an event, such as emergency_stop"
+        | "das Szenario hat keinen Zeitpunkt; eines mit einem Ereignis angeben, etwa emergency_stop";
+    refused_reaction =
+        "the drive does not stop in the scenario cycle; state one with a stop, such as emergency_stop"
+        | "der Servoregler hält im Szenario Zyklus nicht an; eines mit einem Halt angeben, etwa emergency_stop";
     refused_days = "days of operation can be stated for the scenario cycle only" | "Betriebstage sind nur beim Szenario Zyklus zulässig";
     refused_hours = "0 to 24 hours per day, together with --days" | "0 bis 24 Stunden je Tag, zusammen mit --days";
     lines_for_the_project = "lines for the project" | "Zeilen für das Projekt";

@@ -8,12 +8,15 @@ use quantities::Language;
 /// Other words for the commands: German ones, and those of other programs.
 pub const COMMANDS: &[(&str, &str)] = &[
     ("abweichungen", "errata"),
+    ("akku", "battery"),
     ("anbau", "mount"),
     ("anschluss", "wiring"),
+    ("arbeitsmappe", "export"),
     ("auslegen", "size"),
     ("auslegung", "size"),
     ("auswaehlen", "size"),
     ("auswahl", "size"),
+    ("auswertung", "identify"),
     ("auswählen", "size"),
     ("batterie", "battery"),
     ("berechnen", "size"),
@@ -34,21 +37,29 @@ pub const COMMANDS: &[(&str, &str)] = &[
     ("definition", "glossary"),
     ("diagramm", "plot"),
     ("draw", "plot"),
+    ("drehgeber", "encoder"),
     ("drehmomentkennlinie", "curve"),
     ("einheiten", "units"),
     ("einstellungen", "commission"),
     ("encode", "encoder"),
+    ("erklaeren", "explain"),
+    ("erkläre", "explain"),
+    ("erklären", "explain"),
+    ("erwaermung", "simulate"),
     ("erwärmung", "simulate"),
     ("excel", "export"),
     ("exportieren", "export"),
     ("geber", "encoder"),
+    ("gegenüberstellung", "compare"),
     ("glossar", "glossary"),
     ("graph", "plot"),
     ("gui", "serve"),
     ("heat", "simulate"),
+    ("heating", "simulate"),
     ("herleiten", "explain"),
     ("herleitung", "explain"),
     ("hilfe", "help"),
+    ("hitze", "simulate"),
     ("identification", "identify"),
     ("identifikation", "identify"),
     ("identifizieren", "identify"),
@@ -56,20 +67,26 @@ pub const COMMANDS: &[(&str, &str)] = &[
     ("inertias", "inertia"),
     ("init", "new"),
     ("kabel", "wiring"),
+    ("kabelplan", "wiring"),
     ("katalog", "catalogue"),
     ("kennlinie", "curve"),
     ("kennlinien", "curve"),
+    ("klemmenplan", "wiring"),
     ("lager", "bearing"),
     ("leitung", "wiring"),
     ("leitungen", "wiring"),
     ("licenses", "licences"),
     ("lizenzen", "licences"),
     ("maintenance", "upkeep"),
+    ("mappe", "export"),
+    ("messschrieb", "identify"),
     ("montage", "mount"),
+    ("montageanleitung", "mount"),
     ("motion", "moves"),
     ("nachweis", "check"),
     ("nachweise", "check"),
     ("neu", "new"),
+    ("notaus", "simulate"),
     ("parameter", "commission"),
     ("pdf", "report"),
     ("pinbelegung", "wiring"),
@@ -78,6 +95,7 @@ pub const COMMANDS: &[(&str, &str)] = &[
     ("plug", "wiring"),
     ("pruefen", "check"),
     ("prüfen", "check"),
+    ("pufferbatterie", "battery"),
     ("recommend", "size"),
     ("run", "simulate"),
     ("select", "size"),
@@ -88,14 +106,17 @@ pub const COMMANDS: &[(&str, &str)] = &[
     ("sizing", "size"),
     ("spec", "data"),
     ("specs", "data"),
+    ("spreadsheet", "export"),
     ("stecker", "wiring"),
     ("steifigkeit", "torsion"),
+    ("stückliste", "data"),
     ("temperatur", "simulate"),
     ("temperature", "simulate"),
     ("temperaturen", "simulate"),
     ("temperatures", "simulate"),
     ("template", "new"),
     ("term", "glossary"),
+    ("thermik", "simulate"),
     ("torsional-stiffness", "torsion"),
     ("traegheit", "inertia"),
     ("traegheitsmoment", "inertia"),
@@ -106,16 +127,40 @@ pub const COMMANDS: &[(&str, &str)] = &[
     ("variieren", "sweep"),
     ("verdrahtung", "wiring"),
     ("vergleich", "compare"),
+    ("vergleiche", "compare"),
     ("vergleichen", "compare"),
     ("verify", "check"),
     ("vorlage", "new"),
+    ("waerme", "simulate"),
     ("wartung", "upkeep"),
     ("wartungsplan", "upkeep"),
     ("warum", "explain"),
     ("web", "serve"),
     ("why", "explain"),
+    ("workbook", "export"),
+    ("wärme", "simulate"),
+    ("xlsx", "export"),
     ("zeichnen", "plot"),
 ];
+
+/// Returns a word in small letters, with umlauts by two letters: `WÄRME` and `Waerme` are the same word.
+#[must_use]
+pub fn folded(word: &str) -> String {
+    let small = word.to_lowercase();
+    if small.is_ascii() {
+        return small;
+    }
+    [('ä', "ae"), ('ö', "oe"), ('ü', "ue"), ('ß', "ss")]
+        .iter()
+        .fold(small, |text, (sign, plain)| text.replace(*sign, plain))
+}
+
+/// Returns the command that another word stands for.
+#[must_use]
+pub fn command(word: &str) -> Option<&'static str> {
+    let word = folded(word);
+    COMMANDS.iter().find(|(other, _)| folded(other) == word).map(|(_, name)| *name)
+}
 
 /// Words that may name several commands, each with those that it may mean.
 const SEVERAL: &[(&str, &[&str])] = &[
@@ -137,8 +182,8 @@ const SEVERAL: &[(&str, &[&str])] = &[
 /// Returns the commands that a word may mean, if these are several; empty for another word.
 #[must_use]
 pub fn commands_meant(word: &str) -> &'static [&'static str] {
-    let word = word.to_lowercase();
-    SEVERAL.iter().find(|(other, _)| *other == word).map_or(&[], |(_, commands)| commands)
+    let word = folded(word);
+    SEVERAL.iter().find(|(other, _)| folded(other) == word).map_or(&[], |(_, commands)| commands)
 }
 
 /// Words of [`COMMANDS`] that are not German, or are words of both languages.
@@ -160,6 +205,7 @@ const NOT_GERMAN: &[&str] = &[
     "graph",
     "gui",
     "heat",
+    "heating",
     "identification",
     "inertias",
     "init",
@@ -180,6 +226,7 @@ const NOT_GERMAN: &[&str] = &[
     "sizing",
     "spec",
     "specs",
+    "spreadsheet",
     "temperature",
     "temperatures",
     "template",
@@ -189,13 +236,15 @@ const NOT_GERMAN: &[&str] = &[
     "verify",
     "web",
     "why",
+    "workbook",
+    "xlsx",
 ];
 
 /// Returns `true` if a word names a command in German only.
 #[must_use]
 pub fn is_german_command(word: &str) -> bool {
-    let word = word.to_lowercase();
-    COMMANDS.iter().any(|(other, _)| *other == word) && !NOT_GERMAN.contains(&&*word)
+    let word = folded(word);
+    COMMANDS.iter().any(|(other, _)| folded(other) == word) && !NOT_GERMAN.contains(&&*word)
 }
 
 /// Other words for options, each with those that it may stand for; the first that the command has is meant.
@@ -277,8 +326,8 @@ pub const KINDS: &[(&str, &[&str])] = &[
     ("belt", &["toothed belt", "timing belt", "rack", "rack and pinion", "gantry", "linear axis", "linear", "slide", "carriage", "x axis", "y axis", "zahnriemen", "riemen", "riemenachse", "zahnstange", "portal", "linearachse", "schlitten", "wagen", "x achse", "y achse"]),
     ("conveyor", &["roller", "conveyor belt", "roller conveyor", "förderer", "förderband", "bandförderer", "rollenförderer", "transportband", "walze"]),
     ("slider_crank", &["crank", "press", "kurbel", "presse", "kurbelpresse", "schubkurbel"]),
-    ("hoist", &["lift", "winch", "crane", "hubwerk", "winde", "kran", "aufzug"]),
-    ("winder", &["roll", "unwinder", "rewinder", "reel", "wickler", "abwickler", "haspel", "rolle"]),
+    ("hoist", &["lift", "winch", "crane", "rope", "rope drum", "hubwerk", "winde", "seil", "seilwinde", "seiltrommel", "hubtrommel", "kran", "aufzug"]),
+    ("winder", &["roll", "unwinder", "abwickler", "rewinder", "reel", "wickler", "aufwickler", "aufwickelachse", "haspel", "rolle"]),
     ("scissor_lift", &["lifting table", "scissor", "hubtisch", "scherenhubtisch"]),
     ("four_bar", &["linkage", "four bar linkage", "gelenkviereck", "koppelgetriebe", "viergelenk"]),
     ("joint", &["robot", "robot joint", "robot axis", "delta", "delta robot", "scara", "roboter", "gelenk", "robotergelenk"]),
@@ -301,6 +350,7 @@ const FLAGS: &[(&str, (&str, &str))] = &[
     ("upright", ("inclination", "90deg")),
     ("vertical", ("inclination", "90deg")),
     ("vertikal", ("inclination", "90deg")),
+    ("waage", ("inclination", "0deg")),
     ("waagerecht", ("inclination", "0deg")),
     ("waagrecht", ("inclination", "0deg")),
 ];
@@ -396,8 +446,8 @@ const BODY_WORDS: &[(&str, &str)] = &[
 /// Returns the shape or the dimension of a body that another word stands for.
 #[must_use]
 pub fn body_word(word: &str) -> Option<&'static str> {
-    let word = word.to_lowercase();
-    BODY_WORDS.iter().find(|(other, _)| *other == word).map(|(_, name)| *name)
+    let word = folded(word);
+    BODY_WORDS.iter().find(|(other, _)| folded(other) == word).map(|(_, name)| *name)
 }
 
 /// Usual densities of materials, as round values of material tables (Dubbel, table of densities at 20 °C).

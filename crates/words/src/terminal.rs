@@ -189,10 +189,25 @@ texts! {
     factor_undecided(written) =
         "\"{written}\" may be an increase or a share"
         | "„{written}“ kann eine Zunahme oder ein Anteil sein";
+    addition_undecided(written) =
+        "\"{written}\" may be an addition to the present value or the value"
+        | "„{written}“ kann ein Zuschlag zum jetzigen Wert oder der Wert sein";
+    several_loads(names) =
+        "the load is ambiguous, the project has several: {names}"
+        | "die Last ist mehrdeutig, das Projekt hat mehrere: {names}";
+    no_load_to_scale =
+        "the project states no load that a factor could change: its torques are recorded or stated over the position, or its load is zero"
+        | "das Projekt nennt keine Last, die ein Faktor ändern könnte: die Drehmomente sind aufgezeichnet oder über der Position angegeben, oder die Last ist null";
+    no_effect_without(others) = "the option has no effect without {others}" | "die Option wirkt nur zusammen mit {others}";
+    no_steps_without_a_range =
+        "steps divide a range such as 10..20kg; no value of --vary is one"
+        | "Schritte teilen einen Bereich wie 10..20kg; kein Wert von --vary ist einer";
+    decimal_comma_of_text =
+        "only a text file (.csv) has decimal commas" | "nur eine Textdatei (.csv) hat Dezimalkommas";
     set_no_key(key) = "a project has no key \"{key}\"" | "ein Projekt hat keinen Schlüssel „{key}“";
     scale_not_possible(what) =
-        "{what} cannot be scaled in this project: it has no such values, or states them as bodies or as a recording"
-        | "{what} lässt sich in diesem Projekt nicht skalieren: es hat keine solchen Angaben oder nennt sie als Körper oder Aufzeichnung";
+        "{what} cannot be scaled in this project: it has no such values, or states them as a recording"
+        | "{what} lässt sich in diesem Projekt nicht skalieren: es hat keine solchen Angaben oder nennt sie als Aufzeichnung";
     best_of_the_ranking(id) =
         "no actuator is stated (--code): the best of the ranking, {id}"
         | "kein Antrieb angegeben (--code): der beste der Rangfolge, {id}";

@@ -1,6 +1,6 @@
 //! Keys that a word or a value of a call may mean, in the project of the call.
 
-use project::{Hint, KEYS, Kind, Written, key_at, nearest_heading, nearest_name, other_names, truth, written};
+use project::{Hint, KEYS, Kind, Written, key_at, loads, nearest_heading, nearest_name, other_names, truth, written};
 use quantities::{Dimension, parse};
 
 /// Units of which a number may lack one: one of each quantity that a project often states.
@@ -10,19 +10,37 @@ pub(crate) const UNITS: [&str; 12] =
 /// Table whose keys every project may have.
 const REQUIREMENTS: &str = "requirements";
 
-/// Returns a path with its entries in brackets: `motion.1.time` is `motion[1].time`.
-pub(crate) fn with_brackets(path: &str) -> String {
-    let is_entry = |part: &str| !part.is_empty() && part.chars().all(|sign| sign.is_ascii_digit());
-    path.split('.').fold(String::new(), |path, part| match part {
-        _ if path.is_empty() => part.to_owned(),
-        _ if is_entry(part) => format!("{path}[{part}]"),
-        _ => format!("{path}.{part}"),
-    })
-}
-
 /// Returns the paths of the keys with a name, `prefix` being that of the wanted axis: those that the project states, else
 /// those that one of its tables may have with this value; else the same by the other names that people have for keys.
 pub(crate) fn named(all: &[Written], prefix: &str, name: &str, value: &str) -> Vec<String> {
+    let mut found = of_name(all, prefix, name, value);
+    // A mass may be that of the mechanism's load or what it carries at times.
+    if is_mass(name) {
+        let is_meant = |path: &&str| takes(path, value) || value.trim().ends_with('%');
+        for load in loads(all, prefix).iter().filter(|load| load.is_payload) {
+            found.extend(load.masses().filter(is_meant).map(str::to_owned));
+        }
+        let mut known = Vec::new();
+        found.retain(|path| {
+            !known.contains(path) && {
+                known.push(path.clone());
+                true
+            }
+        });
+    }
+    found
+}
+
+/// Returns `true` if a word without a table is one for a mass.
+fn is_mass(name: &str) -> bool {
+    let name = name.to_lowercase();
+    name == MASS || other_names(&name).contains(&MASS)
+}
+
+/// Name of the key of a mass.
+const MASS: &str = "mass";
+
+fn of_name(all: &[Written], prefix: &str, name: &str, value: &str) -> Vec<String> {
     let found = by_name(all, prefix, name, value);
     if !found.is_empty() {
         return found;
@@ -171,18 +189,9 @@ pub(super) fn permits(all: &[Written], table: &str, name: &str) -> bool {
         || of_kind.is_some_and(|(_, needed, optional)| needed.contains(&name) || optional.contains(&name))
 }
 
-/// Returns the dimensions that the value of a key may have; empty if it is no quantity.
-fn dimensions(kind: Kind) -> Vec<Dimension> {
-    match kind {
-        Kind::Quantity(dimension, _) => vec![dimension],
-        Kind::Along(turning, line, _) => vec![turning, line],
-        _ => Vec::new(),
-    }
-}
-
 /// Returns `true` if a key at a path may have a quantity as its value.
 pub(crate) fn is_quantity(path: &str, value: &str) -> bool {
-    let dimensions = key_at(path).map(|key| dimensions(key.kind)).unwrap_or_default();
+    let dimensions = key_at(path).map(|key| key.kind.dimensions()).unwrap_or_default();
     dimensions.into_iter().any(|dimension| parse(dimension, value).is_ok())
 }
 

@@ -1,6 +1,7 @@
 //! Words of a call for the motion: a time, a distance, a payload of every move, the cycle that its dwells fill.
 
 use super::keys::{self, UNITS};
+use super::relative::{Relative, relative, undecided};
 use super::value::{FACTORS, Fault, NAMED_KEYS_MOST, with_point};
 use crate::command::typed::{number_and_unit, typed};
 use project::{FilledCycle, Unfilled, Written, cycle_filled, edit_values, key_at, other_names, written};
@@ -288,7 +289,19 @@ pub(crate) fn values(
         let names = OF_TWO.join(", ");
         return Some(Err((terminal::two_of_a_move(&names, language), None)));
     }
-    Some(Ok(due.values(value)))
+    let mut changed = Vec::new();
+    for path in &due.paths {
+        match relative(path, due.stated(path), value) {
+            Relative::Absolute => return Some(Ok(due.values(value))),
+            Relative::Undecided(values) => {
+                let amounts: Vec<String> =
+                    values.iter().map(|value| value.trim_start_matches('-').to_owned()).collect();
+                return Some(Err(undecided(word, value, &amounts, language)));
+            }
+            Relative::Value(value) => changed.push((path.clone(), value)),
+        }
+    }
+    Some(Ok(changed))
 }
 
 /// Returns the unit of the stated values that a word for the motion is for.

@@ -59,11 +59,12 @@ const WITH_BRAKE: &str = "CHA-*-B";
 
 /// Returns the words behind `code` that list the codes with a brake: `code list with brake`.
 fn with_brake(words: &[&str]) -> Option<Vec<String>> {
-    let (bare, options): (Vec<&str>, Vec<&str>) = words.iter().partition(|word| !word.starts_with('-'));
+    let is_bare = |word: &&str| !word.starts_with('-') || spoken::is_brake(word.trim_start_matches('-'));
+    let (bare, options): (Vec<&str>, Vec<&str>) = words.iter().partition(|word| is_bare(word));
     let rest: Vec<&str> = bare.into_iter().filter(|word| *word != "list" && !spoken::is_with(word)).collect();
     let [word] = &rest[..] else { return None };
     let own = ["list", WITH_BRAKE].into_iter().chain(options).map(str::to_owned);
-    spoken::is_brake(word).then(|| own.collect())
+    spoken::is_brake(word.trim_start_matches('-')).then(|| own.collect())
 }
 
 /// Commands about a project, each with that about a code alone which is meant where the first word is one.

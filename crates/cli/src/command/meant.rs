@@ -1,8 +1,10 @@
 //! Words of a call that no position takes: the options whose values they are, from the declaration of the command.
 
+use super::effects;
 use super::folder::{RECORDINGS, endings, has_ending, is_project, kind_in_place_of_a_file};
 use super::own;
 use super::spoken::seems_code;
+use super::typed::is_negative;
 use clap::{Arg, ArgAction, Command};
 use project::Hint;
 use quantities::Language;
@@ -72,11 +74,6 @@ struct Candidate {
 
 /// Extensions of the files that a question reads besides its project.
 const TABLES: [&str; 3] = [".csv", ".csv.gz", ".parquet"];
-
-/// Returns `true` if a word is a number with a minus sign, and no option.
-fn is_negative(word: &str) -> bool {
-    word.strip_prefix('-').is_some_and(|rest| rest.starts_with(|sign: char| sign.is_ascii_digit() || sign == '.'))
-}
 
 /// Kind of a project that begins with a recording.
 const RECORDING: &str = "recording";
@@ -225,7 +222,6 @@ impl<'c> Called<'c> {
         let read = self.questions().skip(1).find(|other| other.option() == Some(name));
         let file_endings: Option<&[&str]> = match (self.argument(name).map(|argument| argument.kind), read) {
             (_, Some(other)) => Some(match other.reads {
-                // A project is no record of measured values.
                 Reads::Measured if self.projects.iter().any(|path| path == Path::new(word) && is_project(path)) => &[],
                 Reads::Project | Reads::Measured => &[".toml"],
                 Reads::Pins => &[".csv"],
@@ -245,6 +241,10 @@ impl<'c> Called<'c> {
         }
         match self.argument(name) {
             Some(argument) if argument.kind_is_known() => {
+                // An option without effect in the call is none that a word may mean.
+                if self.entry.is_some_and(|entry| effects::is_idle(entry.command(), name, given)) {
+                    return None;
+                }
                 let is_ready = argument.needs.is_none_or(|needs| given.contains(&needs))
                     && argument.instead_of.is_none_or(|other| !given.contains(&other));
                 let rank = match (is_required, self.is_own(name) && is_ready) {
@@ -316,11 +316,6 @@ impl<'c> Called<'c> {
             }
         };
         self.options().filter(|option| option.get_action().takes_values()).filter_map(near).collect()
-    }
-
-    /// Returns `true` if no position of the command is a recording or a folder.
-    fn reads_no_table(&self) -> bool {
-        self.command.get_positionals().all(|position| !["trace", "folder"].contains(&position.get_id().as_str()))
     }
 
     /// Returns `true` if a position takes a word: it is of the kind of the position, or of no kind of an option.
@@ -534,10 +529,15 @@ impl<'c> Sorting<'c> {
                 return rest;
             }
         }
+        if let Some(((next, second), rest)) = behind.split_first()
+            && let Some(change) = called.change_of_two(word, second)
+        {
+            self.placed.extend([(place, change.to_vec()), (*next, Vec::new())]);
+            return rest;
+        }
         let (takers, twice) = called.takers(word, &self.given);
-        // The only value of a new project that a quantity can be.
         if takers.is_empty()
-            && let Some(value) = called.only_value_of_new(word)
+            && let Some(value) = called.value_of_new(word)
         {
             self.place_option(place, "--set", value);
             return behind;

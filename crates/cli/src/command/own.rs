@@ -139,7 +139,8 @@ pub(super) fn recognises(option: &str, word: &str, language: Language) -> bool {
     };
     match option {
         "lang" => words::spoken::language_of(word).is_some(),
-        "deadline" => crate::deadline_of(word, language).is_ok(),
+        // A time without its option is one of the motion.
+        "deadline" => false,
         "memory" => crate::memory_allowed(Some(word.to_owned()), language).is_ok(),
         "scale" => changed().is_some_and(|(key, value)| is_factor(key, value)),
         "set" => changed().is_some_and(|(key, value)| is_key(key) && !value.contains("..") && !is_factor(key, value)),

@@ -1,21 +1,23 @@
 //! Options for a word that is the value of none: a factor of the load, a key of the project with this quantity.
 
 use super::begun::template;
+use super::effects;
 use super::example::filled;
-use super::folder::{RECORDINGS, axes_of, has_ending, projects_in, text_of};
+use super::folder::{RECORDINGS, axes_of, has_ending, kind_in_place_of_a_file, projects_in, text_of};
 use super::meant::Called;
-use super::own::VARY;
+use super::own::{VARY, is_of_several};
 use super::spoken::option_meant;
 use super::typed::{number_and_unit, typed};
 use super::unknown;
 use crate::changed::{factor, keys, with_units};
 use clap::{Arg, Command};
 use project::{Hint, Written, nearest_name, written};
+use quantities::{Dimension, parse};
 use questions::list::new::template_kinds;
 use questions::list::report::TITLE_PAGE;
 use questions::list::{Argument, Entry, LIST};
 use std::ffi::OsString;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Commands and options whose words name what another command may be meant to show.
 const OTHER_COMMANDS: [(&str, &str); 3] = [("explain", "check"), ("plot", "figure"), ("simulate", "scenario")];
@@ -158,13 +160,51 @@ impl Called<'_> {
         paths.into_iter().take(PROPOSALS_MOST).map(|path| ("--set".to_owned(), format!("{path}={word}"))).collect()
     }
 
-    /// Returns the change of the only key of a new project that may have a quantity as its value.
-    pub(super) fn only_value_of_new(&self, word: &str) -> Option<String> {
-        self.entry.filter(|entry| entry.command == "new")?;
-        let all = self.project_text().and_then(|text| written(&text))?;
-        let mut found = all.iter().filter(|each| each.value.is_some() && keys::is_quantity(&each.path, word));
-        let path = found.next().filter(|_| found.next().is_none()).map(|each| &each.path)?;
-        Some(format!("{path}={word}"))
+    /// Returns the change of a new project that a quantity alone states: the travel or the time of its moves, else the only key
+    /// that may have it.
+    pub(super) fn value_of_new(&self, word: &str) -> Option<String> {
+        let is_kind = |path: &PathBuf| path.to_str().is_some_and(|word| kind_in_place_of_a_file(word).is_some());
+        let is_new = self.entry?.command == "new" || self.has("set") && self.projects.first().is_some_and(is_kind);
+        let all = self.project_text().filter(|_| is_new).and_then(|text| written(&text))?;
+        // A key of a move takes an angle or a length; the stated one says which.
+        let is_alike = |stated: &str| {
+            Dimension::ALL.iter().any(|dimension| parse(*dimension, stated).is_ok() && parse(*dimension, word).is_ok())
+        };
+        let is_stated =
+            |each: &&Written| each.value.as_deref().is_some_and(is_alike) && keys::is_quantity(&each.path, word);
+        let found: Vec<&str> = all.iter().filter(is_stated).map(|each| each.path.as_str()).collect();
+        let of_moves = ["distance", "time"]
+            .into_iter()
+            .find(|key| found.iter().any(|path| path.starts_with("motion[") && path.ends_with(&format!("].{key}"))));
+        match (&found[..], of_moves) {
+            (_, Some(key)) => Some(format!("{key}={word}")),
+            ([path], None) => Some(format!("{path}={word}")),
+            _ => None,
+        }
+    }
+
+    /// Returns the options for two words of which one names a quantity that a call may change: `load +15%`, `+15% load`.
+    pub(super) fn change_of_two(&self, first: &str, second: &str) -> Option<[String; 2]> {
+        let is_value = |word: &str| word.starts_with(|sign: char| sign.is_ascii_digit() || "+-.".contains(sign));
+        let (name, value) = match (is_value(first), is_value(second)) {
+            (true, false) => (second, first),
+            (false, true) => (first, second),
+            _ => return None,
+        };
+        let what = words::spoken::scaled(name)?;
+        if self.has(VARY) && is_of_several(value) {
+            return Some([format!("--{VARY}"), format!("{name}={value}")]);
+        }
+        match factor(value).is_some() || value.ends_with('%') {
+            true => self.has("scale").then(|| ["--scale".to_owned(), format!("{what}={value}")]),
+            false => (self.has("set") && value.parse::<f64>().is_err())
+                .then(|| ["--set".to_owned(), format!("{name}={value}")]),
+        }
+    }
+
+    /// Returns `true` if no position of the command is a recording or a folder.
+    pub(super) fn reads_no_table(&self) -> bool {
+        self.command.get_positionals().all(|position| !["trace", "folder"].contains(&position.get_id().as_str()))
     }
 
     /// Returns the option with the most similar name.
@@ -259,7 +299,10 @@ impl Called<'_> {
         let mut others = whole.get_subcommands().filter(has);
         let other = others.next().filter(|_| others.next().is_none() && self.entry.is_some())?;
         let words = [super::NAME, other.get_name()].into_iter().map(OsString::from);
-        let words: Vec<OsString> = words.chain(arguments.iter().skip(self.begin).cloned()).collect();
+        // A stop needs its scenario.
+        let of_scenario = effects::needs(other.get_name(), &long).contains(&"scenario");
+        let scenario = ["--scenario", "emergency_stop"].into_iter().filter(|_| of_scenario).map(OsString::from);
+        let words: Vec<OsString> = words.chain(arguments.iter().skip(self.begin).cloned()).chain(scenario).collect();
         filled(&words, &Called::of(&words, &whole, self.language())?)
     }
 

@@ -1,6 +1,7 @@
 //! Calls in place of one that was parsed and cannot be answered.
 
 use super::best::best_of_project;
+use super::effects;
 use super::example::{filled, split};
 use super::folder::{RECORDINGS, axes_of, has_ending, project_name, projects_in};
 use super::meant::Called;
@@ -57,6 +58,13 @@ pub(crate) fn calls(why: &Unanswered, arguments: &[OsString], whole: &Command, l
         }
         Unanswered::Refused(Refusal::NoActuator, _) => call.with_own_best(language),
         Unanswered::Option { name: "from", .. } => call.as_recording(),
+        Unanswered::Option { name: "at" | "reaction", .. } if !call.states("scenario") => {
+            call.with(&["--scenario", "emergency_stop"])
+        }
+        Unanswered::Option { name: "steps" | "decimal-comma", .. } => Vec::new(),
+        Unanswered::Option { name, .. } if call.is_idle(name) => {
+            call.with_needed(&effects::needs(call.command(), name))
+        }
         Unanswered::Option { name: "hours-per-day", .. } if call.command() == "simulate" && !call.states("days") => {
             call.with(&["--days", "1"])
         }
@@ -146,7 +154,7 @@ fn with_option(words: &[String], option: &[String]) -> Option<Vec<String>> {
             let (other, key) = (last(other.trim()), last(key));
             other == key
                 || other_names(&other).contains(&&*key)
-                || spoken::scaled(&other) == Some(&key)
+                || spoken::scaled(&other).is_some_and(|scaled| scaled == key || scaled == "load")
                 || value.ends_with(stated)
         })
     };
@@ -344,6 +352,23 @@ impl Call<'_> {
         let more = words.iter().map(OsString::from);
         let arguments: Vec<OsString> = self.arguments.iter().cloned().chain(more).collect();
         filled(&arguments, &self.called).into_iter().collect()
+    }
+
+    /// Returns `true` if an option has no effect in the call, which lacks the options that it needs.
+    fn is_idle(&self, option: &str) -> bool {
+        let needs = effects::needs(self.command(), option);
+        !needs.is_empty() && !needs.iter().any(|other| self.states(other))
+    }
+
+    /// Returns the call with each of the files of which an option needs one.
+    fn with_needed(&self, needs: &[&str]) -> Vec<String> {
+        let of = |option: &&str| {
+            let file = self.called.entry?.files().find(|file| file.option == *option)?;
+            let ending = *super::folder::endings(file).first()?;
+            let name = super::begun::file_beside(&self.called.projects, ending);
+            self.with(&[&format!("--{option}"), &name]).into_iter().next()
+        };
+        needs.iter().filter_map(of).collect()
     }
 
     /// Returns the call with an option as in the example of the command.

@@ -4,7 +4,7 @@ use clap::Command;
 use quantities::Language;
 use questions::list::{LIST, glossary};
 use std::ffi::OsString;
-use words::spoken::{COMMANDS, OPTIONS, TWIN_OPTIONS, language_of};
+use words::spoken::{OPTIONS, TWIN_OPTIONS, folded, language_of};
 
 /// Returns the option that a word stands for, among those that a command has.
 pub(super) fn option_meant(written: &str, command: &Command) -> Option<String> {
@@ -16,7 +16,8 @@ pub(super) fn option_meant(written: &str, command: &Command) -> Option<String> {
 
 /// Returns the options that take the values of another name; the first that a command has is meant.
 pub(super) fn twin_options(written: &str) -> &'static [&'static str] {
-    TWIN_OPTIONS.iter().find(|(other, _)| *other == written).map_or(&[], |(_, meant)| meant)
+    let written = folded(written);
+    TWIN_OPTIONS.iter().find(|(other, _)| folded(other) == written).map_or(&[], |(_, meant)| meant)
 }
 
 /// Options behind a command that request the version of the program.
@@ -27,7 +28,8 @@ fn plain_option(word: &str) -> Option<String> {
     let (name, value) =
         word.strip_prefix("--")?.split_once('=').map_or((word, None), |(name, value)| (name, Some(value)));
     let name = name.trim_start_matches('-').to_lowercase();
-    let of_all = TWIN_OPTIONS.iter().find(|(other, _)| *other == name).and_then(|(_, meant)| meant.first());
+    let of_all =
+        TWIN_OPTIONS.iter().find(|(other, _)| folded(other) == folded(&name)).and_then(|(_, meant)| meant.first());
     let name = of_all.filter(|name| ["lang", "help", "json"].contains(name)).map_or(name.as_str(), |name| name);
     let plain = value.map_or_else(|| format!("--{name}"), |value| format!("--{name}={value}"));
     (plain != word).then_some(plain)
@@ -36,10 +38,15 @@ fn plain_option(word: &str) -> Option<String> {
 /// Returns a command as the program names it.
 pub(super) fn command_named(word: &str) -> Option<&'static str> {
     let word = word.to_lowercase();
+    named(&word).or_else(|| named(word.strip_suffix('s')?))
+}
+
+/// Returns a command by its name or another word, in small letters.
+fn named(word: &str) -> Option<&'static str> {
     let own = LIST.iter().map(|entry| entry.command().split(' ').next().unwrap_or_default());
     own.chain(["serve", "drive", "help", "man", "completions"])
         .find(|name| *name == word)
-        .or_else(|| COMMANDS.iter().find(|(other, _)| *other == word).map(|(_, name)| *name))
+        .or_else(|| words::spoken::command(word))
 }
 
 /// Returns `true` if the command of a call is named by a German word, so that the answer is German.
@@ -135,6 +142,7 @@ mod tests {
     use super::*;
     use crate::command::build;
     use crate::command::replaced::understood;
+    use words::spoken::COMMANDS;
 
     fn call(text: &str) -> Vec<String> {
         let words = std::iter::once("antrieb").chain(text.split(' ')).map(OsString::from).collect();
@@ -165,6 +173,9 @@ mod tests {
             ("sweep a.toml t.csv -o best.csv", "sweep a.toml --table t.csv -o best.csv"),
             ("sweep a.toml --table t.csv u.csv", "sweep a.toml --table t.csv --out u.csv"),
             ("hilfe bericht", "help report"),
+            ("WAERME a.toml", "simulate a.toml"),
+            ("Wärme a.toml --Hoehe 80mm", "simulate a.toml --height 80mm"),
+            ("Mappe a.toml", "export a.toml"),
             ("DE SIZE a.toml", "--lang=de size a.toml"),
             ("size a.toml DE", "size a.toml --lang de"),
             ("size a.toml --TOP 5 --Lang=Deutsch", "size a.toml --top 5 --lang=de"),

@@ -21,3 +21,8 @@ pub(crate) fn number_and_unit(text: &str) -> (&str, &str) {
     let (number, unit) = text.split_at(end);
     (number, unit.trim())
 }
+
+/// Returns `true` if a word is a number with a minus sign, and no option.
+pub(super) fn is_negative(word: &str) -> bool {
+    word.strip_prefix('-').is_some_and(|rest| rest.starts_with(|sign: char| sign.is_ascii_digit() || sign == '.'))
+}

@@ -196,7 +196,7 @@ impl Unknown<'_> {
         let all = written(&text)?;
         let axis = self.texts.iter().position(|word| *word == "--axis").and_then(|at| self.texts.get(at + 1));
         let prefix = prefix(&text, axis.map(|name| (*name).to_owned()).as_ref()).unwrap_or_default();
-        let key = keys::with_brackets(&name.replace('-', "_"));
+        let key = project::with_brackets(&name.replace('-', "_"));
         if let Some(value) = stated {
             return Some((self.change(&all, &prefix, &key, value)?, 0));
         }

@@ -204,7 +204,8 @@ impl Stated {
 }
 
 /// Splits a list at its commas, some of which may be decimal signs. Where a unit stands behind every second piece, the commas
-/// before these are; in German an even number of pieces without blanks is ambiguous.
+/// before these are. An even number of pieces without blanks is ambiguous where numbers usually have decimal commas; so are two
+/// pieces in every language, unless the second one ends in a zero or one of them has a point.
 fn listed(key: &str, text: &str, language: Language) -> Result<Vec<String>, Fault> {
     let pieces: Vec<&str> = text.split(',').collect();
     let is_number = |piece: &&str| piece.starts_with(|sign: char| sign.is_ascii_digit()) && !piece.ends_with(' ');
@@ -216,7 +217,9 @@ fn listed(key: &str, text: &str, language: Language) -> Result<Vec<String>, Faul
         return Ok(pairs());
     }
     let is_list = with_unit.iter().filter(|has_unit| **has_unit).count() > 1;
-    if is_even && !is_list && has_decimal_commas(language) {
+    let has_point = pieces.iter().any(|piece| piece.contains('.'));
+    let is_pair = || pieces.len() == 2 && !pieces.iter().any(|piece| number_and_unit(piece.trim()).0.ends_with('0'));
+    if is_even && !is_list && !has_point && (has_decimal_commas(language) || is_pair()) {
         let options = [pieces.join(";"), pairs().join(";")].map(|values| change(key, &values));
         let hint = usage_hint(&UsageHint::Calls(options.to_vec()), language);
         return Err((sweeps::vary_commas(&seen(text), language), Some(hint)));
@@ -243,9 +246,9 @@ fn column(
     if let Some(column) = of_motion((text_of_project, all, prefix), (key, text), &values, language)? {
         return Ok(column);
     }
-    let key = keys::with_brackets(key);
+    let key = project::with_brackets(key);
     let key = key.strip_prefix(prefix).unwrap_or(&key);
-    let path = if key == questions::sweep::CODE || key_at(key).is_some() {
+    let path = if key == questions::sweep::CODE || key_at(key).is_some_and(|key| !keys::is_table(key.kind)) {
         key.to_owned()
     } else {
         let own = |path: &String| path.strip_prefix(prefix).unwrap_or(path).to_owned();
@@ -288,8 +291,11 @@ fn column(
         let hint = usage_hint(&UsageHint::Calls(options), language);
         return Err((sweeps::vary_unit(&path, language), Some(hint)));
     }
-    if let Some((path, count)) = keys::no_entry(all, &format!("{prefix}{path}")) {
-        return Err((sweeps::no_entry(&seen(&path), &count, language), None));
+    if let Some((entry, count)) = keys::no_entry(all, &format!("{prefix}{path}")) {
+        let nearest = project::nearest_entry(all, &format!("{prefix}{path}"));
+        let call = nearest.map(|path| change(path.strip_prefix(prefix).unwrap_or(&path), text));
+        let hint = call.map(|call| usage_hint(&UsageHint::Calls(vec![call]), language));
+        return Err((sweeps::no_entry(&seen(&entry), &count, language), hint));
     }
     Ok(Column { spec: spec(&path, &values), further: Vec::new(), is_cycle: false })
 }

@@ -52,7 +52,7 @@ fn a_word_for_the_motion_sets_every_move_in_all_commands() {
         ("new screw --vertical --mass 30,5kg", &["inclination = \"90deg\"", "mass = \"30.5kg\""]),
         ("sweep disc.toml --time 0.4,2s", &["motion[1].time [s]  motion[3].time [s]"]),
         ("sweep disc.toml --vary motion[1].time=0.3-0.8s --steps 2", &["0.8"]),
-        ("sweep arm.toml --payload 2,4kg", &["motion[3].payload [kg]"]),
+        ("sweep arm.toml --payload 2;4kg", &["motion[3].payload [kg]"]),
     ] {
         let found = call(folder.path(), &format!("antrieb {words}"));
         assert!(found.code < 2, "{words}\n{}", found.err);
@@ -89,6 +89,8 @@ fn a_refusal_has_a_call_for_each_meaning_and_each_does_it() {
         ("size disc.toml --payload 5kg", "no effect", &["mass 30kg → 35kg"]),
         ("sweep disc.toml --payload 0..10kg --time 0.4..1s --steps 2", "no effect", &["understood|columns|1 s"]),
         ("sweep disc.toml --speed 10,20rpm", "replaces", &["motion[1].speed – → 20 rpm"]),
+        ("sweep disc.toml --mass 2,5kg", "comma", &["understood|columns|2.5", "understood|columns|2.5"]),
+        ("sweep disc.toml --vary motion[9].time=1;2s", "no such entry", &["understood|columns|motion[3]"]),
         ("sweep disc.toml --time 1..2", "no unit", &["understood|columns|1 s"]),
     ] {
         let refused = call(folder.path(), &format!("antrieb {written}"));
@@ -127,7 +129,7 @@ fn an_entry_that_a_list_does_not_have_is_refused_everywhere() {
             assert!(refused.code == 2 && refused.err.contains("no such entry"), "{command} {set}\n{}", refused.err);
         }
     }
-    let vary = call(folder.path(), "antrieb sweep disc.toml --vary motion[9].time=1,2s");
+    let vary = call(folder.path(), "antrieb sweep disc.toml --vary motion[9].time=1s,2s");
     assert!(vary.code == 2 && vary.err.contains("no such entry"), "{}", vary.err);
 }
 

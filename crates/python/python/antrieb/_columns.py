@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Collection, Mapping
 from decimal import Decimal
 from typing import Any
@@ -20,7 +21,7 @@ from antrieb._quantity import Q, columns_of, unit_of_time
 from antrieb._quantity import split as split_text
 from antrieb._section import ReturnMove, _steps, distance_of
 from antrieb._source import ProjectSource
-from antrieb._tables import Column, arrow_library, cells, joined, split
+from antrieb._tables import Column, _is_empty, arrow_library, cells, joined, split
 
 ROWS_MOST = 100_000_000
 """Rows that a grid may have."""
@@ -143,13 +144,26 @@ def _times(values: Any, key: str, name: str) -> Any:
 
 
 def _quantities(values: Any, key: str) -> Any:
-    """Texts of quantities in one unit as numbers with their unit; other values as they are."""
+    """Texts of quantities in one unit as numbers with their unit, also with empty cells among them; other values as they are."""
     texts = values
     if not isinstance(values, (list, Q)):
         kind = str(getattr(values, "dtype", getattr(values, "type", ""))).lower()
-        texts = _plain(values) if kind in ("str", "string", "large_string", "string_view") else []
-    is_text = isinstance(texts, list) and len(texts) > 0 and isinstance(texts[0], str)
-    return (columns_of(texts, key) if is_text else None) or values
+        texts = _plain(values) if kind in TEXTS or kind.startswith(CATEGORIES) else []
+    if not isinstance(texts, list):
+        return values
+    known = [each for each in texts if not _is_empty(each)]
+    found = columns_of(known, key) if known and all(isinstance(each, str) for each in known) else None
+    if found is None or len(known) == len(texts):
+        return found or values
+    numbers = iter(found.values)
+    return Q(tuple(math.nan if _is_empty(each) else next(numbers) for each in texts), found.unit)
+
+
+TEXTS = ("str", "string", "large_string", "string_view")
+"""Types of texts, as the libraries write them."""
+
+CATEGORIES = ("category", "categorical", "enum", "dictionary<values=string", "dictionary<values=large_string")
+"""Beginnings of the types of texts of which each stands once."""
 
 
 def _plain(values: Any) -> list[Any]:

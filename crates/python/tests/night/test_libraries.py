@@ -107,6 +107,20 @@ class Libraries(unittest.TestCase):
                 self.assertEqual(antrieb.sweep(ARM, part)["index"], part.index.tolist())
                 self.assertEqual(sweep.table(part)["unsigned"], part["unsigned"].tolist())
 
+    def test_texts_of_quantities_are_read_from_categories(self) -> None:
+        key, texts = "motion[1].time", ["0.8 s", "1.0 s", "0.8 s"]
+        expected = antrieb.sweep(ARM, {f"{key} [s]": [0.8, 1.0, 0.8]})["utilisation"]
+        given: dict[str, Any] = {
+            "pandas": pd.DataFrame({key: pd.Categorical(texts)}),
+            "polars": pl.DataFrame({key: pl.Series(texts, dtype=pl.Categorical)}),
+            "polars enum": pl.DataFrame({key: pl.Series(texts, dtype=pl.Enum(["0.8 s", "1.0 s"]))}),
+            "polars lazy": pl.LazyFrame({key: pl.Series(texts, dtype=pl.Categorical)}),
+            "pyarrow": pa.table({key: pa.array(texts).dictionary_encode()}),
+        }
+        for name, table in given.items():
+            with self.subTest(name):
+                self.assertEqual(antrieb.sweep(ARM, table)["utilisation"], expected)
+
     def test_quantities_of_pint_are_read_or_refused(self) -> None:
         of = pint.UnitRegistry().Quantity
         key, heading = "motion.1.payload", "motion[1].payload [kg]"

@@ -56,6 +56,11 @@ impl Args {
     /// # Errors
     /// Faults of the project, several axes without a name.
     pub fn axis(&self, inquiry: &Inquiry<'_>) -> Result<PlacedAxis, Unanswered> {
+        let is_table = self.table.is_some();
+        Unanswered::unless_right([
+            ("revision", is_table && self.revision.is_some(), requests::of_a_workbook_only(inquiry.language)),
+            ("date", is_table && self.date.is_some(), requests::of_a_workbook_only(inquiry.language)),
+        ])?;
         let axes = inquiry.axes_of(inquiry.source()?, self.axis.as_deref())?;
         let axis = inquiry.only(axes, |names| terminal::export_is_of_one_axis(&names, inquiry.language))?;
         let cost = if self.table.as_deref() == Some("course") { Cost::Course } else { Cost::Workbook };

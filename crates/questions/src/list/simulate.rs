@@ -176,6 +176,12 @@ impl Args {
                 simulation::refused_every(&period_us, language),
             ),
             ("at", self.at.is_some_and(|at| at.si() < 0.0), simulation::refused_range(&"at", language)),
+            ("at", self.at.is_some() && !scenario.has_instant(), simulation::refused_at(language).to_owned()),
+            (
+                "reaction",
+                self.reaction.is_some() && scenario == ScenarioId::Cycle,
+                simulation::refused_reaction(language).to_owned(),
+            ),
             (
                 "hours-per-day",
                 !(0.0..=24.0).contains(&hours) || (self.hours_per_day.is_some() && self.days.is_none()),

@@ -105,7 +105,7 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<SweepSummary, Unanswered> {
         }
     };
     let head = |keys: &[&str], options| Head::read(text, projects, keys, options);
-    evaluated(inquiry, &args, (&name, lines), (head, Box::new(shelf)), false)
+    evaluated(inquiry, &args, (&name, lines), (head, text, Box::new(shelf)), false)
 }
 
 /// Returns the answers of a table in CSV that the call states, each with the cells of its row; `files` opens the recordings.
@@ -132,7 +132,7 @@ pub fn of_rows(
     let lines = Lines::open(Cursor::new(rows.as_bytes().to_vec()));
     let lines = lines.map_err(|broken| refused(name, broken.text(language)))?;
     let head = |keys: &[&str], options| Head::read(text, projects, keys, options);
-    evaluated(inquiry, &args, (name, lines), (head, files), true)
+    evaluated(inquiry, &args, (name, lines), (head, text, files), true)
 }
 
 /// Returns the answers of a table; `has_inputs` adds the cells of its keys to them.
@@ -140,14 +140,15 @@ fn evaluated(
     inquiry: &Inquiry<'_>,
     args: &Args,
     (name, mut lines): (&str, Lines<Cursor<Vec<u8>>>),
-    (head, files): (impl FnOnce(&[&str], Options) -> Head, Box<dyn Files + Send + Sync>),
+    (head, text, files): (impl FnOnce(&[&str], Options) -> Head, &str, Box<dyn Files + Send + Sync>),
     has_inputs: bool,
 ) -> Result<SweepSummary, Unanswered> {
     let language = inquiry.language;
     let headings = lines.headings().to_vec();
     let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
-    let places = TableColumns::of(&headings);
-    let keys: Vec<&str> = places.keys.iter().filter_map(|place| headings.get(*place).copied()).collect();
+    let mut places = TableColumns::of(&headings);
+    let keys = places.as_meant(&headings, text, args.axis.as_deref());
+    let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
     let options = args.options(inquiry.catalogue, lines.commas(), language)?;
     let mut head = head(&keys, options);
     places.faults(&[], language).for_each(|fault| head.refuse(fault));
@@ -199,10 +200,15 @@ fn evaluated(
         let inputs = inputs.filter_map(|place| Some((*place, (*headings.get(*place)?).to_owned())));
         places.carried.iter().cloned().chain(inputs).filter_map(|each| of(&each)).collect()
     };
+    let codes = sweep.codes_of_rows(&cells(&columns, &places.keys)).unwrap_or_default();
     let rows = answers.iter().enumerate().flat_map(|(row, answer)| {
-        let labels = labels(row);
+        let (labels, code) = (labels(row), codes.get(row).cloned().flatten());
         let lines = SweepRow::of(row as u64, answer).into_iter();
-        lines.map(move |line| SweepRow { labels: labels.clone(), ..line })
+        lines.map(move |line| SweepRow {
+            labels: labels.clone(),
+            code: line.code.clone().or_else(|| code.clone()),
+            ..line
+        })
     });
     Ok(SweepSummary { answers: rows.collect(), ..tally.summary(None, language) })
 }

@@ -123,7 +123,12 @@ impl Head {
         if let (Holds::Key(found), Some(known), Some(own)) = (&holds, known, self.axis.path())
             && let Some(fault) = missing_entry(known, &own, found)
         {
-            return Err((Fault::Tabular(fault), None));
+            let nearest = project::nearest_entry(known, &format!("{own}{}", found.path));
+            let with_unit = |path: String| {
+                let path = path.strip_prefix(&own).unwrap_or(&path).to_owned();
+                found.unit.map_or_else(|| path.clone(), |unit| format!("{path} [{}]", unit.symbol))
+            };
+            return Err((Fault::Tabular(fault), nearest.map(with_unit).map(Hint::DidYouMean)));
         }
         let column = Column { written: heading.to_owned(), holds };
         if self.columns.iter().flatten().any(|other| other.key() == column.key()) {

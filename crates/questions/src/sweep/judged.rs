@@ -27,7 +27,7 @@ pub struct Best {
     pub fit: u32,
     /// Number of further codes that fit if an estimate holds.
     pub fit_if_estimate: u32,
-    /// Best of these codes; `None` if none fits.
+    /// Best of these codes; `None` if none fits. In a row with a code that code, fitting or not.
     pub code: Option<ProductId>,
     /// Utilisation of the governing check; if none fits, that of the actuator with the smallest excess.
     pub utilisation: Option<f64>,
@@ -182,7 +182,7 @@ impl<'r> RowAxis<'r> {
         Best {
             fit: u32::from(fit == Fit::Fits),
             fit_if_estimate: u32::from(fit == Fit::FitsIfEstimate),
-            code: fit.fits().then(|| entrant.id.clone()),
+            code: Some(entrant.id.clone()),
             utilisation: finite(judgement.utilisation()),
             tightest: governing.map(|check| check.id),
         }

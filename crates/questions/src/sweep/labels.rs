@@ -2,7 +2,7 @@
 #![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 use super::{CODE, CellFault};
-use project::is_label;
+use project::{headings_meant, is_label, written};
 use quantities::{Language, seen};
 use words::sweeps;
 
@@ -38,6 +38,24 @@ impl TableColumns {
             return Self { keys: (0..headings.len()).collect(), carried: Vec::new() };
         }
         found
+    }
+
+    /// Returns the headings of the keys as a project means them, from its text: a word that stands for the key of every move has a
+    /// column for each of them.
+    pub fn as_meant(&mut self, headings: &[&str], text: &str, axis: Option<&str>) -> Vec<String> {
+        let all = written(text).unwrap_or_default();
+        let value = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
+        let is_there = |place: &usize| all.iter().any(|each| each.path == format!("axis[{place}]"));
+        let named =
+            (1..).take_while(is_there).find(|place| axis.is_some() && value(&format!("axis[{place}].name")) == axis);
+        let prefix = named.map(|place| format!("axis[{place}].")).unwrap_or_default();
+        let keys = self.keys.iter().filter_map(|place| Some((*place, *headings.get(*place)?)));
+        let meant = keys.flat_map(|(place, heading)| {
+            headings_meant(&all, &prefix, heading).into_iter().map(move |heading| (place, heading))
+        });
+        let (places, meant) = meant.unzip();
+        self.keys = places;
+        meant
     }
 
     /// Returns the faults of carried columns whose names the answer has already.

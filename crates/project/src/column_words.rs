@@ -1,0 +1,137 @@
+//! Headings of a table by the words that people have for keys, in a project that states these keys.
+
+use crate::edit::{Written, key_at};
+use crate::heading::{Counted, Heading, may_be_a_column, parts};
+use crate::load::loads;
+use crate::nearest::other_names;
+use quantities::parse;
+
+/// Keys of a move whose value may be the same in every move.
+const OF_EVERY_MOVE: [&str; 7] =
+    ["time", "acceleration", "jerk", "payload", "payload_inertia", "process_force", "process_torque"];
+
+/// Returns the headings that a heading of a table stands for in a project: the only stated key with this name or with one that
+/// people have for it, or this key of every move. A heading that names a key, or none, is returned as it is. `prefix` stands
+/// before the keys of the axis.
+#[must_use]
+pub fn headings_meant(all: &[Written], prefix: &str, heading: &str) -> Vec<String> {
+    let (name, unit) = parts(heading);
+    let with_unit = |path: &str| unit.as_deref().map_or_else(|| path.to_owned(), |unit| format!("{path} [{unit}]"));
+    let as_it_is = || vec![heading.to_owned()];
+    if Heading::is_one(heading) || Counted::of([heading]) == Counted::FromZero {
+        return as_it_is();
+    }
+    let bracketed = with_brackets(&name);
+    if bracketed != name && Heading::is_one(&bracketed) {
+        return vec![with_unit(&bracketed)];
+    }
+    let word = name.trim().to_lowercase();
+    let names: Vec<&str> = std::iter::once(word.as_str()).chain(other_names(&word).iter().copied()).collect();
+    let is_fitting = |path: &str| {
+        let Some(key) = key_at(path).filter(|key| may_be_a_column(key)) else { return false };
+        unit.as_deref().is_none_or(|unit| {
+            let number = format!("1 {unit}");
+            key.kind.dimensions().into_iter().any(|dimension| parse(dimension, &number).is_ok())
+        })
+    };
+    let value = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
+    let is_dwell = |inside: &str| {
+        let segment = inside.rsplit_once('.').map_or("", |(segment, _)| segment);
+        value(&format!("{prefix}{segment}.law")) == Some("dwell")
+    };
+    let of = |name: &&str| -> Vec<String> {
+        let stated = all.iter().filter(|each| each.value.is_some()).filter_map(|each| each.path.strip_prefix(prefix));
+        let named = stated.filter(|inside| inside.rsplit_once('.').is_some_and(|(_, last)| last == *name));
+        named.filter(|inside| is_fitting(inside) && !is_dwell(inside)).map(str::to_owned).collect()
+    };
+    let found = names.iter().map(of).find(|found| !found.is_empty()).unwrap_or_default();
+    let is_of_move = |path: &String| {
+        path.strip_prefix("motion[")
+            .and_then(|rest| rest.split_once("]."))
+            .is_some_and(|(_, key)| OF_EVERY_MOVE.contains(&key))
+    };
+    // A mass may be that of the load or of what it carries at times.
+    let is_mass = found.iter().any(|path| path.ends_with(".mass"));
+    if is_mass && loads(all, prefix).iter().any(|load| load.is_payload) {
+        return as_it_is();
+    }
+    match &found[..] {
+        [path] => vec![with_unit(path)],
+        [_, _, ..] if found.iter().all(is_of_move) => found.iter().map(|path| with_unit(path)).collect(),
+        _ => as_it_is(),
+    }
+}
+
+/// Returns a path with its entries in brackets: `motion.1.time` is `motion[1].time`.
+#[must_use]
+pub fn with_brackets(path: &str) -> String {
+    let is_entry = |part: &str| !part.is_empty() && part.chars().all(|sign| sign.is_ascii_digit());
+    path.split('.').fold(String::new(), |path, part| match part {
+        _ if path.is_empty() => part.to_owned(),
+        _ if is_entry(part) => format!("{path}[{part}]"),
+        _ => format!("{path}.{part}"),
+    })
+}
+
+/// Returns the stated key that is nearest to one in an entry which its list does not have: the same key of another entry.
+#[must_use]
+pub fn nearest_entry(all: &[Written], path: &str) -> Option<String> {
+    let (list, rest) = path.rsplit_once('[')?;
+    let (number, key) = rest.split_once(']')?;
+    let number: i64 = number.parse().ok()?;
+    let place = |each: &Written| -> Option<i64> {
+        let inside = each.path.strip_prefix(list)?.strip_prefix('[')?;
+        let (other, own) = inside.split_once(']')?;
+        (own == key && each.value.is_some()).then(|| other.parse().ok())?
+    };
+    let nearest = all.iter().filter_map(place).min_by_key(|other| (number - other).abs())?;
+    Some(format!("{list}[{nearest}]{key}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::edit::written;
+
+    const TEXT: &str = "[mechanism.screw]\nmass = \"20 kg\"\nlead = \"10 mm\"\n\
+        [[motion]]\nlaw = \"open\"\ndistance = \"100 mm\"\ntime = \"1 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"2 s\"\n\
+        [[motion]]\nlaw = \"open\"\ndistance = \"-100 mm\"\ntime = \"1 s\"\n";
+
+    #[test]
+    fn a_word_is_the_only_key_or_the_key_of_every_move() {
+        let all = written(TEXT).unwrap();
+        for (heading, meant) in [
+            ("mass [kg]", &["mechanism.screw.mass [kg]"][..]),
+            ("Masse [g]", &["mechanism.screw.mass [g]"]),
+            ("Masse (kg)", &["mechanism.screw.mass [kg]"]),
+            ("mass", &["mechanism.screw.mass"]),
+            ("lead [mm]", &["mechanism.screw.lead [mm]"]),
+            ("Zeit [s]", &["motion[1].time [s]", "motion[3].time [s]"]),
+            ("time [ms]", &["motion[1].time [ms]", "motion[3].time [ms]"]),
+            ("motion.2.time [s]", &["motion[2].time [s]"]),
+            ("motion[1].time [s]", &["motion[1].time [s]"]),
+            // One value would turn the way back.
+            ("distance [mm]", &["distance [mm]"]),
+            ("mass [mm]", &["mass [mm]"]),
+            ("id", &["id"]),
+        ] {
+            assert_eq!(headings_meant(&all, "", heading), meant, "{heading}");
+        }
+        let carried = format!("{TEXT}payload = \"2 kg\"\n");
+        assert_eq!(headings_meant(&written(&carried).unwrap(), "", "mass [kg]"), ["mass [kg]"]);
+    }
+
+    #[test]
+    fn the_nearest_entry_has_the_key() {
+        let all = written(TEXT).unwrap();
+        for (path, nearest) in [
+            ("motion[7].time", Some("motion[3].time")),
+            ("motion[4].distance", Some("motion[3].distance")),
+            ("motion[0].time", Some("motion[1].time")),
+            ("motion[4].payload", None),
+            ("mechanism.screw.mass", None),
+        ] {
+            assert_eq!(nearest_entry(&all, path).as_deref(), nearest, "{path}");
+        }
+    }
+}
