@@ -47,6 +47,9 @@ impl AxisProject {
         };
         match assumption {
             Assumption::Default(default) => self.assumed_default(default),
+            Assumption::OfTemplate(figure) => {
+                AssumedKeys { is_alone: false, ..with(vec![root.path(figure.path)], figure.value) }
+            }
             Assumption::LawOpen => {
                 let word = SegmentLaw::Law(SegmentLaw::ASSUMED).id();
                 with(of_segments(SegmentLaw::Open, |segment| vec![&segment.law]), word)

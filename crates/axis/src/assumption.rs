@@ -30,6 +30,8 @@ pub enum Assumption {
     OwnStallCurrentAboveLargest,
     /// n_N of the user's actuator is above its n_mot,max: a limit of the motor alone.
     OwnRatedSpeedAboveLargest,
+    /// Figure of the template with which the project began, not stated since.
+    OfTemplate(TemplateFigure),
     /// No loads on the flange are given: the output bearing is not judged.
     NoFlangeLoads,
     /// The loads on the flange are constant over the cycle.
@@ -107,6 +109,15 @@ pub enum Assumption {
     SplineThroughPoints(Spline),
 }
 
+/// A figure of a template.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TemplateFigure {
+    /// Path of the key.
+    pub path: &'static str,
+    /// Value as stated in the template.
+    pub value: &'static str,
+}
+
 /// End of the part of a recording in use (`from`, `to`) that is no instant of a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WindowEnd {
@@ -129,7 +140,8 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 93] = [
+    pub const ALL: [Self; 94] = [
+        Self::OfTemplate(TemplateFigure { path: "mechanism.hoist.drum_diameter", value: "120 mm" }),
         Self::Default(KeyDefault::NoFriction),
         Self::Default(KeyDefault::AmbientWithinRange),
         Self::ConditionsWithinRange,

@@ -53,7 +53,7 @@ mod varied;
 mod web;
 
 pub use assumed::AssumedKeys;
-pub use assumption::{Assumption, Overrun, WindowEnd};
+pub use assumption::{Assumption, Overrun, TemplateFigure, WindowEnd};
 pub use axis_project::{AxisProject, Choose};
 pub use bodies::{BodyAnswer, InertiaAnswer, inertia};
 pub use catalogue::{Catalogue, NoCatalogue};

@@ -14,9 +14,11 @@ mod stage_tests;
 use crate::list::{Cost, Unanswered};
 use crate::progress::{Progress, Stopped};
 use crate::sizing_use::{Refusal, Rejected, size_watched};
+use crate::templates::unstated_figures;
 use crate::tolerance::Draw;
 use axis::{
-    AxisDiagnostic, AxisFault, AxisProject, Catalogue, FileCatalogue, Files, Grant, KeptRecordings, RatioAnswer,
+    Assumption, AxisDiagnostic, AxisFault, AxisProject, Catalogue, FileCatalogue, Files, Grant, KeptRecordings,
+    RatioAnswer,
 };
 use configurator::Product;
 use quantities::Language;
@@ -90,7 +92,11 @@ pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<AxisProject>, Vec<A
 /// # Errors
 /// As [`read`].
 pub fn read_with(text: &str, catalogue: &Arc<dyn Catalogue>) -> Result<AxisProject, Vec<AxisDiagnostic>> {
-    AxisProject::read(text, catalogue, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
+    let read = AxisProject::read(text, catalogue, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)));
+    read.map(|mut project| {
+        with_template(text, std::slice::from_mut(&mut project));
+        project
+    })
 }
 
 /// Reads like [`read_all`], with a catalogue.
@@ -102,7 +108,19 @@ pub fn read_all_with(
     files: &dyn Files,
     catalogue: &Arc<dyn Catalogue>,
 ) -> Result<Vec<AxisProject>, Vec<AxisDiagnostic>> {
-    AxisProject::read_all(text, files, catalogue, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
+    let read =
+        AxisProject::read_all(text, files, catalogue, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)));
+    read.map(|mut projects| {
+        with_template(text, &mut projects);
+        projects
+    })
+}
+
+/// Adds the figures of the template, which nobody has stated, to the assumptions of the only axis of a file.
+fn with_template(text: &str, projects: &mut [AxisProject]) {
+    if let [project] = projects {
+        project.assumptions.extend(unstated_figures(text).into_iter().map(Assumption::OfTemplate));
+    }
 }
 
 /// Reasons why there is no project.
@@ -145,6 +163,10 @@ pub fn read_all_watched(
         .take()
         .or_else(stopped)
         .map_or_else(|| read.map_err(Unread::Faults), |refusal| Err(Unread::Refused(refusal)))
+        .map(|mut projects| {
+            with_template(text, &mut projects);
+            projects
+        })
 }
 
 /// Files that can be read until the call is cancelled.

@@ -1,7 +1,10 @@
 //! Project files to start from, commented in either language.
 
+use axis::TemplateFigure;
 use mechanism::MechanismId;
+use project::{Kind, Written, key_at, written};
 use quantities::Language;
+use std::sync::LazyLock;
 
 /// A kind of project file.
 #[derive(Clone, Copy)]
@@ -30,7 +33,7 @@ macro_rules! kinds {
     };
 }
 
-static KINDS: [ProjectKind; 15] = kinds! {
+static KINDS: [ProjectKind; 16] = kinds! {
     "manual" "manual" Load;
     "table" "turntable" Turntable;
     "arm" "arm" Arm;
@@ -44,6 +47,7 @@ static KINDS: [ProjectKind; 15] = kinds! {
     "joint" "joint" Joint;
     "hoist" "hoist" Hoist;
     "winder" "winder" Winder;
+    "unwinder" "unwinder" Winder;
     "scissor_lift" "scissor_lift" ScissorLift;
     "four_bar" "four_bar" FourBar;
 };
@@ -82,7 +86,9 @@ pub fn template(kind: &str, file: &str, language: Language) -> Option<Template> 
 #[must_use]
 pub fn example(kind: &str, file: &str, language: Language) -> Option<Template> {
     let kind = KINDS.iter().find(|known| known.name == kind)?;
-    Some(commented(kind, kind.example, file, language))
+    // The example of the mechanism winds up.
+    let text = if kind.name == "unwinder" { kind.plain } else { kind.example };
+    Some(commented(kind, text, file, language))
 }
 
 /// Returns a project file with comments in a language, for a file name.
@@ -106,6 +112,37 @@ fn commented(kind: &ProjectKind, project: &str, file: &str, language: Language) 
         text.push('\n');
     }
     Template { text, recording }
+}
+
+/// Figures of a kind of project: paths with their values.
+type Figures = Vec<(String, String)>;
+
+/// First lines of the plain files, in every language, with the figures of the file.
+static FIGURES: LazyLock<Vec<(String, Figures)>> = LazyLock::new(|| {
+    let of = |kind: &ProjectKind| {
+        let is_figure = |each: &Written| {
+            let kind = key_at(&each.path).map(|key| key.kind);
+            matches!(kind, Some(Kind::Quantity(..) | Kind::Along(..) | Kind::Number(..) | Kind::Integer(..)))
+                && each.path.contains('.')
+        };
+        let all = written(kind.plain).unwrap_or_default().into_iter().filter(is_figure);
+        let figures: Figures = all.filter_map(|each| Some((each.path, each.value?))).collect();
+        let head = |language| worded(kind.plain.lines().next().unwrap_or_default(), language);
+        Language::ALL.map(|language| (head(language), figures.clone()))
+    };
+    KINDS.iter().flat_map(of).collect()
+});
+
+/// Returns the figures of a template that a project begun with it still has: nobody has stated them. A project without the first
+/// line of its template has none.
+pub(crate) fn unstated_figures(text: &str) -> Vec<TemplateFigure> {
+    let head = text.lines().next().unwrap_or_default().trim_end();
+    let Some((_, figures)) = FIGURES.iter().find(|(known, _)| known == head) else { return Vec::new() };
+    let all = written(text).unwrap_or_default();
+    let is_kept = |(path, value): &&(String, String)| {
+        all.iter().any(|each| each.path == *path && each.value.as_ref() == Some(value))
+    };
+    figures.iter().filter(is_kept).map(|(path, value)| TemplateFigure { path, value }).collect()
 }
 
 fn recording_in(text: &str, language: Language) -> String {
@@ -176,6 +213,26 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    #[test]
+    fn figures_of_a_template_are_assumptions_until_they_are_stated() {
+        for language in Language::ALL {
+            let text = template("hoist", "axis.toml", language).unwrap().text;
+            let paths = |text: &str| -> Vec<&str> { unstated_figures(text).iter().map(|figure| figure.path).collect() };
+            let all = paths(&text);
+            for path in ["mechanism.hoist.drum_diameter", "mechanism.hoist.falls", "motion[1].time"] {
+                assert!(all.contains(&path), "{path}: {all:?}");
+            }
+            let stated = text.replace("\"120 mm\"", "\"150 mm\"").replace("falls = 2 ", "falls = 4 ");
+            assert_eq!(paths(&stated).len(), all.len() - 2);
+            let project = &crate::read_all(&stated, &NoFiles).unwrap()[0];
+            let assumed = project.assumed();
+            let of_template = assumed.iter().filter(|each| matches!(each.assumption, axis::Assumption::OfTemplate(_)));
+            assert_eq!(of_template.count(), all.len() - 2);
+            let (_, rest) = text.split_once('\n').unwrap();
+            assert!(paths(rest).is_empty());
         }
     }
 

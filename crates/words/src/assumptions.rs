@@ -2,9 +2,10 @@
 
 use crate::pick;
 use crate::texts::said;
+use crate::{about_text, short_label};
 use axis::{Assumption, Overrun, WindowEnd};
 use motion::{Alternating, MadeUp, Remark, SlowMotion, Spline, Spurious, SteppedColumn};
-use project::KeyDefault;
+use project::{KeyDefault, key_at};
 use quantities::unit::{
     DEGREE, MILLIMETRE, MILLISECOND, NEWTON_METRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND,
 };
@@ -23,6 +24,15 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             return said!(language =>
                 "standstill is assumed (motion.standstill) where the recording shows noise or settling only, speeds up to {speed} within {place}, {time} in total: no friction acts there; if the axis moves there, state standstill = \"1e-9 1/min\""
                 | "Stillstand angesetzt (motion.standstill), wo die Aufzeichnung nur Rauschen oder Einschwingen zeigt, Drehzahlen bis {speed} innerhalb von {place}, insgesamt {time}: dort keine Reibung; bewegt sich die Achse dort, standstill = \"1e-9 1/min\" angeben"
+            );
+        }
+        Assumption::OfTemplate(figure) => {
+            let path = figure.path;
+            let value = figure.value.replace('.', language.decimal_mark().encode_utf8(&mut [0; 4]));
+            let label = key_at(path).map(|key| short_label(about_text(key.about, language))).unwrap_or_default();
+            return said!(language =>
+                "{label}: {value} is a figure of the template, not stated ({path})"
+                | "{label}: {value} ist eine Angabe der Vorlage, nicht bestätigt ({path})"
             );
         }
         Assumption::RecordedSlow(slow) => return slow_text(&slow, language),

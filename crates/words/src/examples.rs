@@ -340,6 +340,18 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
         "A winder that takes up a web at constant line speed. What is not stated is assumed, and listed with the answer.",
         "Ein Wickler, der eine Bahn mit konstanter Geschwindigkeit aufwickelt. Was nicht angegeben ist, wird angenommen und mit dem Ergebnis aufgeführt.",
     ),
+    (
+        "An unwinder that pays out a web against a constant tension. What is not stated is assumed, and listed with the answer.",
+        "Ein Abwickler, der eine Bahn gegen konstanten Bahnzug abgibt. Was nicht angegeben ist, wird angenommen und mit dem Ergebnis aufgeführt.",
+    ),
+    ("\"unwinder\"", "\"Abwickler\""),
+    ("the empty core is changed for a full roll", "die leere Hülse wird gegen einen vollen Wickel getauscht"),
+    ("the web pulls the roll, its diameter decreases", "die Bahn zieht am Wickel, sein Durchmesser nimmt ab"),
+    ("the radius shrinks by it with each turn", "Abnahme des Radius je Umdrehung"),
+    (
+        "the whole roll: the inertia is highest at the start, the speed at the core",
+        "der ganze Wickel: das Massenträgheitsmoment ist am Anfang am größten, die Drehzahl an der Hülse",
+    ),
     ("of the web, also at standstill", "der Bahn, auch im Stillstand"),
     ("of the wound material", "des gewickelten Materials"),
     ("otherwise the web is wound up", "sonst wird aufgewickelt"),

@@ -38,6 +38,8 @@ texts! {
         | "aufgezeichnete Bewegung mit Drehmoment (CSV oder Parquet), dieselbe Datei wie joint";
     of_a_workbook_only =
         "only the first sheet of a workbook states it; leave out --table" | "nur das erste Blatt einer Mappe nennt es; --table weglassen";
+    kind_unwinder =
+        "a roll that a web is drawn from, its diameter decreases" | "Wickel, von dem eine Bahn abgezogen wird, der Durchmesser nimmt ab";
     kind_sweep = "table of many axes for antrieb sweep" | "Tabelle vieler Achsen für antrieb sweep";
     moves =
         "Motion of an axis, every segment with the derived quantities"

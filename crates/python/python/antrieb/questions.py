@@ -2116,7 +2116,7 @@ def upkeep_ical(
 
 @called
 def new(
-    kind: Literal["manual", "table", "arm", "screw", "belt", "recording", "load", "turntable", "conveyor", "slider_crank", "joint", "hoist", "winder", "scissor_lift", "four_bar", "sweep", "catalogue"],
+    kind: Literal["manual", "table", "arm", "screw", "belt", "recording", "load", "turntable", "conveyor", "slider_crank", "joint", "hoist", "winder", "unwinder", "scissor_lift", "four_bar", "sweep", "catalogue"],
     *,
     lang: Lang = "en",
     example: bool = False,

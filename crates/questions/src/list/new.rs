@@ -93,6 +93,7 @@ pub fn kind_about(kind: &str, language: Language) -> Option<&'static str> {
         "load" => requests::kind_load,
         "table" => requests::kind_table,
         "recording" => requests::kind_recording,
+        "unwinder" => requests::kind_unwinder,
         SWEEP => requests::kind_sweep,
         CATALOGUE => catalogue_template::kind,
         mechanism => {
