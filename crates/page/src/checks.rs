@@ -5,7 +5,9 @@ use crate::{overlay, value};
 use maud::{Markup, html};
 use project::{Key, key_at};
 use quantities::{Language, Measure};
-use questions::texts::{by_importance, compared_texts, instant_text, margin_share, margin_text, unit_text, verdict_text};
+use questions::texts::{
+    by_importance, compared_texts, instant_text, margin_share, margin_text, unit_text, verdict_text,
+};
 use questions::{Candidate, Check, Part, Verdict};
 use words::{
     about_text, capitalised, check_missing, grade_word, hyphenated, note_text, page, part_title, short_label,

@@ -264,7 +264,8 @@ impl Axis {
         match &duty.derived {
             Some(derived) => {
                 let none = Geometry::none();
-                let mut walk = Walk::of(self, duty, derived, Geometry { offset: offset.unwrap_or(none.offset), ..none });
+                let mut walk =
+                    Walk::of(self, duty, derived, Geometry { offset: offset.unwrap_or(none.offset), ..none });
                 walk.samples = Some(Vec::new());
                 let known = duty.moment_known(self).is_ok() && offset.is_some();
                 let samples = walk.sampled().into_iter();

@@ -25,14 +25,16 @@ pub(super) fn relative(path: &str, stated: Option<&str>, value: &str) -> Relativ
     let percent = value.strip_suffix('%').and_then(|number| number.trim().replace(',', ".").parse::<f64>().ok());
     let is_signed = value.starts_with(['+', '-']);
     match (kind, percent) {
-        (Kind::Number(..), Some(percent)) if kind.is_ratio() => match stated.and_then(|stated| stated.parse::<f64>().ok()) {
-            Some(old) if is_signed => {
-                let values = [old * (1.0 + percent / 100.0), old + percent / 100.0];
-                Relative::Undecided(values.map(plain).to_vec())
+        (Kind::Number(..), Some(percent)) if kind.is_ratio() => {
+            match stated.and_then(|stated| stated.parse::<f64>().ok()) {
+                Some(old) if is_signed => {
+                    let values = [old * (1.0 + percent / 100.0), old + percent / 100.0];
+                    Relative::Undecided(values.map(plain).to_vec())
+                }
+                _ if is_signed => Relative::Absolute,
+                _ => Relative::Value(plain(percent / 100.0)),
             }
-            _ if is_signed => Relative::Absolute,
-            _ => Relative::Value(plain(percent / 100.0)),
-        },
+        }
         (Kind::Quantity(..) | Kind::Along(..), Some(_)) => {
             let Some(stated) = stated else { return Relative::Absolute };
             let factors = match share(value) {

@@ -61,12 +61,7 @@ pub(super) struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    pub(super) fn of(
-        axis: &'a Axis,
-        duty: &'a BearingDuty,
-        derived: &'a DerivedLoads,
-        bearing: Geometry,
-    ) -> Self {
+    pub(super) fn of(axis: &'a Axis, duty: &'a BearingDuty, derived: &'a DerivedLoads, bearing: Geometry) -> Self {
         Self {
             axis,
             duty,

@@ -179,7 +179,12 @@ impl Columns {
         let added = own.map_or(0.0, |own| difference(&own, first, window, offset_rad));
         regressors.extend(is_free.then_some(added));
         regressors.extend(self.rate.then_some(window.torque_rate));
-        Row { regressors, value: if is_free { window.torque } else { window.torque - added }, stroke: window.stroke, phase: window.phase }
+        Row {
+            regressors,
+            value: if is_free { window.torque } else { window.torque - added },
+            stroke: window.stroke,
+            phase: window.phase,
+        }
     }
 }
 

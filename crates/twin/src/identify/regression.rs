@@ -361,7 +361,12 @@ mod tests {
             .map(|k| {
                 let (a, b) = (random.normal(), random.normal());
                 let seen = a + noise * random.normal();
-                Row { regressors: vec![seen, b], value: 2.0 * a - 3.0 * b + 0.1 * random.normal(), stroke: k / 10, phase: [k, 0] }
+                Row {
+                    regressors: vec![seen, b],
+                    value: 2.0 * a - 3.0 * b + 0.1 * random.normal(),
+                    stroke: k / 10,
+                    phase: [k, 0],
+                }
             })
             .collect()
     }
@@ -428,7 +433,8 @@ mod tests {
             inside_if_one += f64::from(u8::from((value - 2.0).abs() < half)) / 200.0;
             let noisy: Vec<Row> =
                 run.iter().map(|row| Row { value: row.value + 3.0 * random.normal(), ..row.clone() }).collect();
-            let apart: Vec<Row> = noisy.iter().enumerate().map(|(k, row)| Row { phase: [k, 0], ..row.clone() }).collect();
+            let apart: Vec<Row> =
+                noisy.iter().enumerate().map(|(k, row)| Row { phase: [k, 0], ..row.clone() }).collect();
             let [placed, free] = [noisy, apart].map(|rows| fit(&rows, &[], &[]).unwrap().estimate(0).unwrap().1);
             wider += placed / free / 200.0;
         }
