@@ -54,7 +54,7 @@ pub enum Assumption {
     PayloadInertiaWeightless,
     /// With a stage the mechanism does not load the flange.
     MechanismOnOwnBearings,
-    /// Of several ratios of the stage this one is used, that of the best actuator of the catalogue.
+    /// The ratio of the stage in use, of several that are stated: that of the best actuator of the catalogue.
     StageRatioChosen(f64),
     /// The law of a move is not decided.
     LawOpen,

@@ -54,7 +54,7 @@ impl Driven for DirectLoad {
 }
 
 /// The load, and its position at the start of the motion.
-pub(crate) struct Load {
+pub(crate) struct BuiltLoad {
     pub(crate) mechanism: Mechanism,
     pub(crate) start: Option<Angle>,
     /// Process force that acts in every segment.
@@ -65,7 +65,7 @@ pub(crate) struct Load {
 pub(crate) const OF_A_LINE: &str = "[mechanism.screw] lead = \"20 mm\", mass = \"25 kg\"";
 
 /// Builds the one load of the axis.
-pub(crate) fn load(axis: &AxisSource, report: &mut AxisReport<'_>) -> Option<Load> {
+pub(crate) fn load(axis: &AxisSource, report: &mut AxisReport<'_>) -> Option<BuiltLoad> {
     let parts = &axis.parts;
     match loads(parts).as_slice() {
         [driven] => build(*driven, report),
@@ -88,7 +88,7 @@ pub(crate) fn load(axis: &AxisSource, report: &mut AxisReport<'_>) -> Option<Loa
     }
 }
 
-fn build(driven: &dyn Driven, report: &mut AxisReport<'_>) -> Option<Load> {
+fn build(driven: &dyn Driven, report: &mut AxisReport<'_>) -> Option<BuiltLoad> {
     let kind = driven.kind(report)?;
     let mechanism = Mechanism {
         kind,
@@ -99,7 +99,7 @@ fn build(driven: &dyn Driven, report: &mut AxisReport<'_>) -> Option<Load> {
     };
     let start = driven.start_angle().and_then(Stated::value);
     let force = driven.process_force().map_or_else(|| Force::from_si(0.0), Stated::or_zero);
-    Some(Load { mechanism, start, force })
+    Some(BuiltLoad { mechanism, start, force })
 }
 
 /// Adds the defaults about the load that the file leaves open.

@@ -6,7 +6,7 @@ use crate::cam::through_points;
 use crate::choices;
 use crate::driven::Driven;
 use crate::fault::{AxisFault, AxisReport, CycleFault};
-use crate::mechanism::{Load, driven};
+use crate::mechanism::{BuiltLoad, driven};
 use crate::recorded::{RecordedMotions, motion as recorded_motion, states_its_motion};
 use crate::side;
 use crate::source::{AxisSource, SegmentSource};
@@ -75,7 +75,7 @@ impl SegmentSource<'_> {
         all.into_iter().find(|(is_zero, _)| *is_zero).map(|(_, span)| span)
     }
 
-    fn extra(&self, load: &Load) -> Extra {
+    fn extra(&self, load: &BuiltLoad) -> Extra {
         Extra {
             mass: self.payload.or_zero(),
             inertia: self.payload_inertia.or_zero(),
@@ -206,7 +206,7 @@ pub(crate) fn turns_once(segment: &Segment) -> bool {
 }
 
 /// Builds the motion, and the loads that each segment adds.
-pub(crate) fn motion(axis: &AxisSource, load: &Load, report: &mut AxisReport<'_>) -> Option<(Motion, Vec<Extra>)> {
+pub(crate) fn motion(axis: &AxisSource, load: &BuiltLoad, report: &mut AxisReport<'_>) -> Option<(Motion, Vec<Extra>)> {
     // A missing motion has been reported.
     let _ = axis.parts.motion.get()?;
     let segments = axis.sources();

@@ -1,5 +1,6 @@
 //! A project with other values for one call: `--set KEY=VALUE` and `--scale WHAT=FACTOR`.
 
+mod factor;
 pub(crate) mod keys;
 mod load;
 pub(crate) mod motion;
@@ -8,6 +9,8 @@ mod value;
 
 use crate::command::typed::{number_and_unit, typed};
 use clap::ArgMatches;
+use factor::{any_factor, undecided_factors};
+pub(crate) use factor::factor;
 use project::{
     Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, loads, paced, stretch, truth, written,
 };
@@ -296,54 +299,6 @@ pub(crate) fn with_units(all: &[Written], (prefix, key): (&str, &str), value: &s
 
 /// Factors that a bare number plainly states for the whole load.
 pub(crate) const LOAD_FACTORS: RangeInclusive<f64> = 0.5..=2.0;
-
-/// Percentages without a sign that state a share of the stated value: a smaller one may also be meant as an increase.
-const SHARES: RangeInclusive<f64> = 50.0..=200.0;
-
-/// Returns the factor that a percentage states: `+15%` is 1.15, `-20%` is 0.8, `80%` is 0.8; `None` for a share that may be meant
-/// as an increase.
-pub(crate) fn share(text: &str) -> Option<f64> {
-    let number = text.strip_suffix('%')?.trim();
-    let percent: f64 = number.replace(',', ".").parse().ok()?;
-    match number.starts_with(['+', '-']) {
-        true => Some((100.0 + percent) / 100.0),
-        false => SHARES.contains(&percent).then_some(percent / 100.0),
-    }
-}
-
-/// Returns the factors that a statement may mean and that none of its forms decides: `15%`, `+0.15`.
-fn undecided_factors(text: &str) -> Vec<String> {
-    let number = text.strip_suffix('%').map(str::trim);
-    let (plain, is_percent) = (number.unwrap_or(text), number.is_some());
-    let Ok(value) = plain.replace(',', ".").parse::<f64>() else { return Vec::new() };
-    let trimmed = |number: f64| {
-        let text = format!("{number:.6}");
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    };
-    let is_signed = plain.starts_with(['+', '-']);
-    match (is_percent, is_signed) {
-        (true, false) => vec![format!("+{}%", trimmed(value)), trimmed(value / 100.0)],
-        // Of one the sign adds a share, of many a percentage.
-        (false, true) if value.abs() < 1.0 => vec![format!("{:+}%", 100.0 * value), trimmed(value.abs())],
-        (false, true) => vec![format!("{value:+}%"), trimmed(value.abs())],
-        _ => Vec::new(),
-    }
-}
-
-/// Returns the factor that a word states as a percentage or with a sign of multiplication.
-pub(crate) fn factor(word: &str) -> Option<f64> {
-    if let Some(factor) = share(word) {
-        return Some(factor);
-    }
-    let number = word.strip_prefix(['x', '×', '*']).or_else(|| word.strip_suffix(['x', '×']))?;
-    number.replace(',', ".").parse().ok()
-}
-
-/// Returns the factor that a statement is, with a sign as a percentage only.
-fn any_factor(text: &str) -> Option<f64> {
-    let plain = || text.replace(',', ".").parse().ok().filter(|_| !text.starts_with(['+', '-']));
-    share(text).or_else(|| factor(text)).or_else(plain)
-}
 
 /// Scales load, payloads, times or distances.
 fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(String, String), Fault> {

@@ -116,7 +116,7 @@ pub fn read_all_with(
     })
 }
 
-/// Adds the figures of the template, which nobody has stated, to the assumptions of the only axis of a file.
+/// Adds the figures of the template, which no one has stated, to the assumptions of the only axis of a file.
 fn with_template(text: &str, projects: &mut [AxisProject]) {
     if let [project] = projects {
         project.assumptions.extend(unstated_figures(text).into_iter().map(Assumption::OfTemplate));

@@ -133,7 +133,7 @@ static FIGURES: LazyLock<Vec<(String, Figures)>> = LazyLock::new(|| {
     KINDS.iter().flat_map(of).collect()
 });
 
-/// Returns the figures of a template that a project begun with it still has: nobody has stated them. A project without the first
+/// Returns the figures of a template that a project begun with it still has: no one has stated them. A project without the first
 /// line of its template has none.
 pub(crate) fn unstated_figures(text: &str) -> Vec<TemplateFigure> {
     let head = text.lines().next().unwrap_or_default().trim_end();

@@ -93,24 +93,24 @@ impl Peaks {
         acting.all(|peak| Some(peak.at()) == first)
     }
 
-    pub(crate) fn see(&mut self, [radial, axial, moment, equivalent]: Values, at: f64) {
+    pub(crate) fn see(&mut self, [radial, axial, moment, equivalent]: InstantLoads, at: f64) {
         self.radial.see(radial, at);
         self.axial.see(axial, at);
         self.moment.see(moment, at);
         self.equivalent.see(equivalent, at);
     }
 
-    /// Returns the largest values in the order of [`Values`].
+    /// Returns the largest values in the order of [`InstantLoads`].
     fn each(&mut self) -> [&mut Peak; 4] {
         [&mut self.radial, &mut self.axial, &mut self.moment, &mut self.equivalent]
     }
 }
 
 /// F_r, F_a, M and M_eq at one instant.
-pub(crate) type Values = [f64; 4];
+pub(crate) type InstantLoads = [f64; 4];
 
 /// Returns F_r, F_a and M at one instant with the M_eq that they make.
-pub(crate) fn with_equivalent([radial, axial, moment]: [f64; 3], pitch: Length) -> Values {
+pub(crate) fn with_equivalent([radial, axial, moment]: [f64; 3], pitch: Length) -> InstantLoads {
     let none = Length::from_si(0.0);
     let load = actuator::FlangeLoad {
         radial_force: Force::from_si(radial),

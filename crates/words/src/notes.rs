@@ -75,7 +75,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
             let alone = with_unit(alone.si, alone.unit, 3, language);
             said!(language =>
                 "the largest radial force, axial force and tilting moment act at different instants and are combined, as the manufacturer does in a sister series; the worst single instant gives {alone}"
-                | "größte Radialkraft, größte Axialkraft und größtes Kippmoment wirken zu verschiedenen Zeitpunkten und sind zusammengefasst, wie es der Hersteller bei einer Schwesterbaureihe vorsieht; der ungünstigste einzelne Zeitpunkt ergibt {alone}"
+                | "größte Radialkraft, größte Axialkraft und größtes Kippmoment wirken zu verschiedenen Zeitpunkten und sind zusammengefasst, wie es der Hersteller bei einer verwandten Baureihe vorsieht; der ungünstigste einzelne Zeitpunkt ergibt {alone}"
             )
         }
         Note::RopeSlack(slack) => rope_slack(slack, language),

@@ -4,7 +4,7 @@ use super::value::{Fault, NAMED_KEYS_MOST};
 use crate::command::typed::typed;
 use project::{Load, Written, edit_values, loads};
 use quantities::Language;
-use words::{UsageHint, terminal, unpadded, usage_hint};
+use words::{UsageHint, terminal, usage_hint};
 
 /// Returns the text with the load of an axis multiplied by a factor.
 ///
@@ -44,7 +44,7 @@ fn names(loads: &[Load]) -> String {
 pub(super) fn calls(loads: &[Load], factor: f64) -> Vec<String> {
     let options = |load: &Load| {
         if load.is_payload {
-            return Some(typed(["--scale", &format!("payload={}", unpadded(factor, 9, Language::En))]));
+            return Some(typed(["--scale", &format!("payload={}", (factor * 1e9).round() / 1e9)]));
         }
         if load.stated.iter().any(|(path, _)| path.ends_with(".bodies")) {
             return None;

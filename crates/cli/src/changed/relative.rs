@@ -1,7 +1,7 @@
 //! Values that a call states as changes of the present ones: `+5kg`, `-10%`.
 
+use super::factor::{any_factor, share, undecided_factors};
 use super::value::Fault;
-use super::{share, undecided_factors};
 use crate::command::typed::typed;
 use project::{Kind, Range, increased, key_at, multiplied};
 use quantities::{Dimension, Language, parse, seen};
@@ -39,7 +39,7 @@ pub(super) fn relative(path: &str, stated: Option<&str>, value: &str) -> Relativ
             let Some(stated) = stated else { return Relative::Absolute };
             let factors = match share(value) {
                 Some(factor) => vec![factor],
-                None => undecided_factors(value).iter().filter_map(|factor| super::any_factor(factor)).collect(),
+                None => undecided_factors(value).iter().filter_map(|factor| any_factor(factor)).collect(),
             };
             let values: Vec<String> = factors.into_iter().filter_map(|factor| multiplied(stated, factor)).collect();
             match <[String; 1]>::try_from(values) {

@@ -1,6 +1,6 @@
 //! One pass over the motion: the loads on the flange at every instant, their largest values and their averages.
 
-use super::{CycleLoads, DerivedLoads, FlangeSample, Geometry, Values, is_rest, output, with_equivalent};
+use super::{CycleLoads, DerivedLoads, FlangeSample, Geometry, InstantLoads, is_rest, output, with_equivalent};
 use crate::axis::{Axis, BearingDuty};
 use mechanism::{Extra, FlangeForces, Output, Recurrence};
 use motion::Piece;
@@ -124,7 +124,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    fn values(&self, segment: usize, output: &Output, recorded_nm: f64) -> Values {
+    fn values(&self, segment: usize, output: &Output, recorded_nm: f64) -> InstantLoads {
         let none = Extra::none();
         let extra = self.axis.extras.get(segment).unwrap_or(&none);
         let forces = if self.derived.acts.get(segment).copied().unwrap_or(false) {
@@ -148,7 +148,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Evaluates an instant of the turning gear; `weight`: |ω| dt under it.
-    fn see(&mut self, time: f64, values: &Values, weight: f64) {
+    fn see(&mut self, time: f64, values: &InstantLoads, weight: f64) {
         self.loads.turning.see(*values, time);
         if weight > 0.0 && !self.only_forces {
             let add = |value: f64| if value == 0.0 { 0.0 } else { weight * self.power(value) };
@@ -161,12 +161,12 @@ impl<'a> Walk<'a> {
     }
 
     /// Evaluates an instant of the gear at rest.
-    fn see_rest(&mut self, time: f64, values: &Values) {
+    fn see_rest(&mut self, time: f64, values: &InstantLoads) {
         self.loads.resting.see(*values, time);
         self.show(time, values);
     }
 
-    fn show(&mut self, time: f64, [radial, axial, moment, _]: &Values) {
+    fn show(&mut self, time: f64, [radial, axial, moment, _]: &InstantLoads) {
         if let Some(samples) = &mut self.samples {
             samples.push(FlangeSample {
                 time: Time::from_si(time),
@@ -325,7 +325,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Searches between the nodes around an inner maximum if the parabola through three nodes indicates a larger value.
-    fn peaks_between(&mut self, piece: &Piece, sense: f64, nodes: &[(f64, Values); NODES]) {
+    fn peaks_between(&mut self, piece: &Piece, sense: f64, nodes: &[(f64, InstantLoads); NODES]) {
         for which in 0..4 {
             for (place, trio) in nodes.windows(3).enumerate() {
                 let [a, b, c] = trio else { continue };
