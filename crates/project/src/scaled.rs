@@ -190,6 +190,7 @@ pub fn multiplied(stated: &str, factor: f64) -> Option<String> {
 #[must_use]
 pub fn increased(stated: &str, by: &str, dimension: Dimension) -> Option<String> {
     let end = ["±", "+-", "+/-"].iter().filter_map(|sign| stated.find(sign)).min().unwrap_or(stated.len());
+    let end = stated.get(..end)?.trim_end().len();
     let (value, tolerance) = stated.split_at_checked(end)?;
     let (old, more) = (parse(dimension, value).ok()?.si, parse(dimension, by).ok()?.si);
     if old == 0.0 {

@@ -73,9 +73,9 @@ pub(crate) fn refusal(command: &str, matches: &ArgMatches, language: Language) -
     let ids = matches.ids().map(|id| id.as_str().to_owned());
     let lacking = ids.filter(|option| is_given(option)).filter_map(|option| {
         let needs = needs(command, &option);
-        let is_lacking = !needs.is_empty()
-            && !(command == "simulate" && OF_A_SCENARIO.contains(&option.as_str()))
-            && !needs.iter().any(|other| is_given(other));
+        let is_of_the_question = command == "simulate" && OF_A_SCENARIO.contains(&option.as_str());
+        let is_met = needs.iter().any(|other| is_given(other));
+        let is_lacking = !(needs.is_empty() || is_of_the_question || is_met);
         let name = DEPENDENCES.iter().map(|each| each.option).chain(["force"]).find(|name| *name == option)?;
         let others = needs.iter().map(|other| format!("--{other}")).collect::<Vec<_>>().join(", ");
         is_lacking.then(|| Unanswered::option(name, (terminal::no_effect_without(&others, language), None)))

@@ -1,5 +1,5 @@
 //! The load that a factor changes: that of the guide, for every mechanism, and nothing else.
-#![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use crate::refusals::{call, named};
 use crate::run::root;
