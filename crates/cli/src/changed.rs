@@ -9,8 +9,8 @@ mod value;
 
 use crate::command::typed::{number_and_unit, typed};
 use clap::ArgMatches;
-use factor::{any_factor, undecided_factors};
 pub(crate) use factor::factor;
+use factor::{any_factor, undecided_factors};
 use project::{
     Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, loads, paced, stretch, truth, written,
 };

@@ -145,6 +145,9 @@ impl Pages {
         let buf = self.unpacked(head, packed, 0)?;
         let def_level_encoding = encoding(head.level_encoding)?;
         let levels = self.level_bytes(&buf, head.values, def_level_encoding)?;
+        if def_level_encoding == Encoding::RLE {
+            self.check_levels(buf.get(4..levels).unwrap_or_default(), head)?;
+        }
         let (encoding, buf) = self.checked(head, buf, levels)?;
         Ok(Page::DataPage {
             buf,
@@ -162,6 +165,7 @@ impl Pages {
         known(head.repeated_bytes == 0 && levels <= packed.len() as u64 && levels <= head.unpacked)?;
         let levels = usize::try_from(levels).map_err(|_| damaged(Damage::Page))?;
         let buf = self.unpacked(head, packed, levels)?;
+        self.check_levels(buf.get(..levels).unwrap_or_default(), head)?;
         let (encoding, buf) = self.checked(head, buf, levels)?;
         Ok(Page::DataPageV2 {
             buf,
@@ -230,13 +234,20 @@ impl Pages {
         length.and_then(|length| usize::try_from(length).ok()).ok_or_else(|| damaged(Damage::Page))
     }
 
+    /// Checks the levels of a page, which are runs of one or two bits.
+    fn check_levels(&self, levels: &[u8], head: &Head) -> Result<(), Fault> {
+        known(are_runs(levels, u64::from(16 - self.defined.leading_zeros()), head.values))
+    }
+
     /// Returns the encoding of the values after the levels, and the page in the form passed to the library.
     fn checked(&self, head: &Head, buf: Bytes, levels: usize) -> Result<(Encoding, Bytes), Fault> {
         let values = buf.get(levels..).ok_or_else(|| damaged(Damage::Page))?;
         let encoding = encoding(head.encoding)?;
         match encoding {
             Encoding::RLE_DICTIONARY | Encoding::PLAIN_DICTIONARY => {
-                known(self.has_dictionary && values.first().is_some_and(|bits| *bits <= INDEX_BITS_MAX))?;
+                let (bits, indices) = values.split_first().ok_or_else(|| damaged(Damage::Page))?;
+                known(self.has_dictionary && *bits <= INDEX_BITS_MAX)?;
+                known(are_runs(indices, u64::from(*bits), head.values))?;
             }
             Encoding::BYTE_STREAM_SPLIT => {
                 known(self.width > 0 && self.physical != Type::BYTE_ARRAY)?;
@@ -273,6 +284,31 @@ fn joined(page: &[u8], levels: usize, size: u64) -> Result<Bytes, Fault> {
     let count = split.len() / size;
     let values = (0..count).flat_map(|value| split.iter().skip(value).step_by(count).copied());
     Ok(levels.iter().copied().chain(values).collect())
+}
+
+/// Maximum number of bytes of the length of a run.
+const RUN_LENGTH_BYTES_MAX: usize = 10;
+
+/// Returns `true` if the bytes are runs of equal values and packed groups of eight, of so many bits, up to a number of values; the
+/// decoder of the library panics at a length of more than ten bytes. Runs that are cut are left to it.
+fn are_runs(mut bytes: &[u8], bits: u64, values: u64) -> bool {
+    let mut seen = 0_u64;
+    while seen < values && !bytes.is_empty() {
+        let Some(end) = bytes.iter().take(RUN_LENGTH_BYTES_MAX).position(|byte| byte & 0x80 == 0) else {
+            return bytes.len() < RUN_LENGTH_BYTES_MAX;
+        };
+        let (length, rest) = bytes.split_at(end + 1);
+        let Ok(run) = Thrift::new(length).varint() else { return false };
+        let is_packed = run & 1 == 1;
+        let (count, size) = match is_packed {
+            true => ((run >> 1).saturating_mul(8), (run >> 1).saturating_mul(bits)),
+            false => (run >> 1, bits.div_ceil(8)),
+        };
+        // A run of none is possible, but a file of them is none.
+        seen = seen.saturating_add(count.max(1));
+        bytes = usize::try_from(size).ok().and_then(|size| rest.get(size..)).unwrap_or_default();
+    }
+    true
 }
 
 /// Checks the header of delta-coded values and returns their number.

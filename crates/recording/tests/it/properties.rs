@@ -6,7 +6,7 @@ use arbtest::arbtest;
 use quantities::Measure;
 use quantities::Time;
 use quantities::unit::{DEGREE, MILLISECOND, NEWTON_METRE};
-use recording::{Bytes, ColumnSpec, Layout, MAGNITUDE_MAX, read_csv, read_parquet};
+use recording::{Bytes, ColumnSpec, Fault, Layout, MAGNITUDE_MAX, read_csv, read_parquet};
 
 fn layout(choice: u8) -> Layout {
     let unit = |unit| ColumnSpec { unit: Some(unit), ..ColumnSpec::default() };
@@ -114,7 +114,14 @@ fn a_series_is_read_as_it_was_written() {
         }
         let no_x =
             Layout { position: ColumnSpec { name: Some("q".into()), ..ColumnSpec::default() }, ..Layout::default() };
-        let recording = read_csv(text.as_bytes(), &no_x).unwrap();
+        let recording = match read_csv(text.as_bytes(), &no_x) {
+            Ok(recording) => recording,
+            // A step of about half a turn, which random positions may have, is refused.
+            Err(faults) => {
+                assert!(faults.iter().all(|fault| matches!(fault, Fault::StepUndecided { .. })), "{faults:?}");
+                return Ok(());
+            }
+        };
         let jumps = recording.revolutions_removed;
         let (position, torque) = (recording.course.position.unwrap().values, recording.torque.unwrap().values);
         assert_eq!(recording.time_s.len(), written.len());
