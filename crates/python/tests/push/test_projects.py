@@ -194,7 +194,9 @@ class Projects(unittest.TestCase):
                     self.assertEqual(of_text.to_toml(), text)
                     fresh = eval(repr(of_text), vars(an))
                     self.assertEqual(fresh, of_text)
-                    self.assertEqual(answered(fresh), answered(text))
+                    # The figures of a template count as assumed as long as its first line stands; those of objects are stated.
+                    own = text.split("\n", 1)[1]
+                    self.assertEqual(answered(fresh), answered(own))
                     changed = of_text.replace(supply="48 V").to_toml()
                     self.assertEqual(an.loads(changed).axes[0].supply, "48 V")
                     self.assertEqual(changed.splitlines()[0], text.splitlines()[0])
