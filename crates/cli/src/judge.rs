@@ -14,9 +14,9 @@ use questions::list::size::Ranking;
 use questions::list::{Inquiry, Unanswered, check, size};
 use questions::texts::{
     by_importance, compared_texts, counts_text, demand_figures, fitting_text, instant_text, margin_text, mend_text,
-    objection_text, percent, provisos, reason, rejections, shown, standing_text, unit_text, verdict_text,
+    objection_text, percent, provisos, reason, rejections, shown, standing_text, unit_text, verdict_of, verdict_text,
 };
-use questions::{Candidate, Check, Demand, Fit, Objection, Reserve, Sizing, Verdict};
+use questions::{Candidate, Check, Demand, Objection, Reserve, Sizing, Verdict};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use words::{
@@ -87,7 +87,7 @@ fn side_by_side(inquiry: &Inquiry<'_>, args: &size::Args, language: Language) ->
             let mass = named.parameters.mass.known();
             let fits = found.sizing.answer().is_some();
             let verdict =
-                if fits { verdict_of(named, language) } else { paint(terms::does_not_fit(language), Verdict::Fail) };
+                paint(verdict_of(named, language), named.marked_as());
             let row = vec![
                 file_name(&source.name).to_owned(),
                 project.name.clone(),
@@ -117,14 +117,6 @@ fn file_name(name: &str) -> &str {
     name.get(path.rfind(['/', '\\']).map_or(0, |at| at + 1)..).unwrap_or(name)
 }
 
-/// Returns the verdict on a fitting actuator.
-fn verdict_of(candidate: &Candidate<'_>, language: Language) -> String {
-    match candidate.fit() {
-        Fit::FitsIfEstimate => paint(terms::fits_if_estimate(language), Verdict::Advice),
-        Fit::Fits | Fit::DoesNotFit => paint(terms::fits(language), Verdict::Pass),
-    }
-}
-
 fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, language: Language) -> String {
     let Ranking { project, sizing, top, .. } = found;
     let top = *top;
@@ -133,12 +125,7 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
     let name = if sizing.name.is_empty() { terms::axis(language) } else { sizing.name };
     let _ = match sizing.answer() {
         Some(best) => {
-            let colour = match best.fit() {
-                _ if best.leaves_load_unheld() => Verdict::Fail,
-                Fit::FitsIfEstimate => Verdict::Advice,
-                Fit::Fits | Fit::DoesNotFit => Verdict::Pass,
-            };
-            writeln!(out, "{name}: {}: {}", best.id, paint(&standing_text(best, language), colour))
+            writeln!(out, "{name}: {}: {}", best.id, paint(&standing_text(best, language), best.marked_as()))
         }
         None => writeln!(out, "{name}: {}", paint(terminal::no_actuator_fits(language), Verdict::Fail)),
     };
@@ -369,13 +356,7 @@ fn remarks(candidate: &Candidate<'_>, indent: &str, language: Language) -> Strin
 /// Returns every check of one actuator.
 fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     let mut out = String::new();
-    let colour = match (candidate.fit(), candidate.open_questions()) {
-        (Fit::DoesNotFit, _) => Verdict::Fail,
-        _ if candidate.leaves_load_unheld() => Verdict::Fail,
-        (Fit::FitsIfEstimate, _) => Verdict::Advice,
-        (Fit::Fits, 0) => Verdict::Pass,
-        (Fit::Fits, _) => Verdict::NotChecked,
-    };
+    let colour = candidate.marked_as();
     let standing = standing_text(candidate, language);
     let long = candidate.id.to_string().chars().count() + standing.chars().count() + 2 > width();
     let between = if long { "\n  " } else { " " };

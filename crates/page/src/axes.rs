@@ -11,7 +11,7 @@ use quantities::unit::{KILOGRAM, WATT};
 use quantities::{Measure, format_number};
 use questions::list::size::sized;
 use questions::texts::{demand_figures, percent, reason, standing_text};
-use questions::{Candidate, Fit, Progress, Refusal, Rejected, Verdict, course_seen, power_over_cycle, sum_of_known};
+use questions::{Candidate, Progress, Refusal, Rejected, course_seen, power_over_cycle, sum_of_known};
 use words::{capitalised, page, terms, title_of_check};
 
 /// Width of the picture of the powers \[px\].
@@ -110,12 +110,7 @@ fn power(drawing: &Drawing, state: &PageState) -> Markup {
 
 fn row(state: &PageState, project: &AxisProject, candidate: &Candidate<'_>) -> Row {
     let l = state.language;
-    let verdict = match (candidate.fit(), candidate.open_questions()) {
-        (Fit::DoesNotFit, _) => Verdict::Fail,
-        (Fit::FitsIfEstimate, _) => Verdict::Advice,
-        (Fit::Fits, 0) => Verdict::Pass,
-        (Fit::Fits, _) => Verdict::NotChecked,
-    };
+    let verdict = candidate.marked_as();
     let tightest = candidate.governing();
     let power = power_over_cycle(project, candidate);
     let figures = candidate.judgement.demand.as_ref().map(|demand| demand_figures(demand, l).to_vec());

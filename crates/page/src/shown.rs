@@ -3,7 +3,7 @@
 use crate::state::PageState;
 use axis::AxisProject;
 use questions::list::size::sized;
-use questions::{Candidate, Fit, Progress, Rejected, Sizing, check, check_own};
+use questions::{Candidate, Progress, Rejected, Sizing, Verdict, check, check_own};
 
 /// Result of the work of a request.
 pub(crate) struct Outcome<'o, 'p> {
@@ -54,11 +54,11 @@ pub(crate) fn chosen<'p>(project: &'p AxisProject, best: Option<&Candidate<'_>>)
 
 /// Returns the style classes of a candidate. One that fits as far as its checks could be made has the colour of success and a border of its own.
 pub(crate) fn class(candidate: &Candidate<'_>) -> &'static str {
-    match (candidate.fit(), candidate.open_questions()) {
-        (Fit::DoesNotFit, _) => "fail",
-        _ if candidate.leaves_load_unheld() => "fail",
-        (Fit::FitsIfEstimate, _) => "advice",
-        (Fit::Fits, 0) => "pass",
-        (Fit::Fits, _) => "pass partly",
+    match candidate.marked_as() {
+        Verdict::Fail => "fail",
+        Verdict::Advice => "advice",
+        Verdict::Pass => "pass",
+        Verdict::NotChecked if candidate.counts().are_all_open() => "not_checked",
+        Verdict::NotChecked => "pass partly",
     }
 }

@@ -126,6 +126,19 @@ impl Candidate<'_> {
         counts.not_checked + counts.requirements_open
     }
 
+    /// Returns the verdict of a check with whose colour and sign an answer marks the candidate: a failure also for a load that
+    /// nothing holds without power, and a missing datum for a candidate that fits as far as it could be judged.
+    #[must_use]
+    pub fn marked_as(&self) -> Verdict {
+        match self.fit() {
+            Fit::DoesNotFit => Verdict::Fail,
+            _ if self.leaves_load_unheld() => Verdict::Fail,
+            Fit::FitsIfEstimate => Verdict::Advice,
+            Fit::Fits if self.open_questions() == 0 => Verdict::Pass,
+            Fit::Fits => Verdict::NotChecked,
+        }
+    }
+
     /// Returns the missing keys of the project, each with the number of checks that require it; in the order of the
     /// checks.
     #[must_use]

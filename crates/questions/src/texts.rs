@@ -70,6 +70,10 @@ pub fn governing_text(candidate: &Candidate<'_>, language: Language) -> String {
 pub fn fitting_text(sizing: &Sizing<'_>, language: Language) -> String {
     let [fit, if_estimate] = sizing.counts();
     let judged = terminal::judged(fit, &sizing.candidates.len(), language);
+    let judged = match sizing.fitting().iter().filter(|candidate| candidate.counts().are_all_open()).count() {
+        0 => judged,
+        open => format!("{judged} ({})", terminal::without_any_check(open, language)),
+    };
     match if_estimate {
         0 => judged,
         more => {
@@ -216,6 +220,7 @@ pub fn figure_text(figure: Option<Amount>, language: Language) -> String {
 pub fn verdict_of(candidate: &Candidate<'_>, language: Language) -> &'static str {
     match candidate.fit() {
         Fit::FitsIfEstimate if candidate.depends_on_ratings_alone() => words::terms::fits_unless_rating(language),
+        Fit::Fits if candidate.counts().are_all_open() => words::terms::not_evaluated(language),
         fit => fit_text(fit, language),
     }
 }

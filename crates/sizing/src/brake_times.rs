@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use trace::Carried;
 
 /// Switching times of the brakes for which the demand of an axis is computed: those of the catalogue, equal for every
-/// actuator whose brake does not state others ([`Axis::braked_by`]).
+/// actuator whose brake does not state others (`Axis::braked_by`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BrakeTimes {
     /// t_c: time to close.

@@ -76,12 +76,13 @@ impl BatchHead {
         options: Options,
         read: impl FnOnce(&[&str], Options) -> sweep::Head,
     ) -> Self {
-        let (answers, language) = (answered(&options.wanted), options.language);
+        let (wanted, language) = (options.wanted.clone(), options.language);
         let names: Vec<&str> = table.fields().iter().map(|field| field.name().as_str()).collect();
         let mut columns = TableColumns::of(&names);
         let keys = columns.as_meant(&names, text, options.axis.as_deref());
         let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
         let mut head = read(&keys, options);
+        let answers = answered(&wanted, head.chooses_ratio());
         if repeats != Repeats::Labels {
             let inputs = columns.keys.iter().filter_map(|place| Some((*place, (*names.get(*place)?).to_owned())));
             // Codes of the table are those of the answer.
@@ -255,6 +256,9 @@ impl BatchSweep {
             Wanted::Every(checks) => every(&answers, first_row, checks),
             Wanted::Front => front(&answers, first_row),
         };
+        if self.schema.field_with_name(STAGE_RATIO).is_ok() {
+            columns.push(Arc::new(stage_ratios(&answers)));
+        }
         if let Some(codes) = self.sweep.codes_of_rows(&cells) {
             with_codes(&mut columns, &codes, first_row);
         }
@@ -304,15 +308,18 @@ const BYTES_HELD: usize = 24;
 /// Largest number of rows that are judged at once for a whole table.
 const ROWS_OF_PART: usize = 1 << 14;
 
-/// Returns the columns of the answers.
-fn answered(wanted: &Wanted) -> SchemaRef {
+/// Column of the ratio of a stage that is chosen among several.
+const STAGE_RATIO: &str = "stage_ratio";
+
+/// Returns the columns of the answers: that of the ratio of a stage only if each row chooses one among several.
+fn answered(wanted: &Wanted, chooses_ratio: bool) -> SchemaRef {
     let field = |name: &str, of: DataType| Field::new(name, of, true);
     let row = Field::new("row", DataType::UInt64, false);
     let (code, error) = (field("code", DataType::Utf8), field("error", DataType::Utf8));
     let share = |name: &str| field(name, DataType::Float64);
     let tightest = field("tightest", DataType::Utf8);
     let verdict = field("verdict", DataType::Utf8);
-    let fields = match wanted {
+    let mut fields: Vec<Field> = match wanted {
         Wanted::Best => {
             let [fit, fit_if_estimate] = ["fit", "fit_if_estimate"].map(|name| field(name, DataType::UInt32));
             vec![row, fit, code, share("utilisation"), tightest, error, fit_if_estimate]
@@ -333,6 +340,7 @@ fn answered(wanted: &Wanted) -> SchemaRef {
             [row, code].into_iter().chain(figures).chain([tightest, error, verdict, errata]).collect()
         }
     };
+    fields.extend(chooses_ratio.then(|| share(STAGE_RATIO)));
     Arc::new(Schema::new(fields))
 }
 
@@ -358,6 +366,17 @@ fn best(answers: &[Answer], first_row: u64) -> Vec<ArrayRef> {
         texts(answers.iter().map(|answer| answer.as_ref().err())),
         Arc::new(each().map(|best| Some(best?.fit_if_estimate)).collect::<UInt32Array>()),
     ]
+}
+
+/// Returns the ratio of the stage of each line of the answers.
+fn stage_ratios(answers: &[Answer]) -> Float64Array {
+    let of = |answer: &Answer| match answer {
+        Ok(Judged::Best(best)) => vec![best.stage_ratio],
+        Ok(Judged::Every(every)) => every.iter().map(|one| one.stage_ratio).collect(),
+        Ok(Judged::Front(front)) => front.iter().map(|one| one.stage_ratio).collect(),
+        Err(_) => vec![None],
+    };
+    answers.iter().flat_map(of).collect()
 }
 
 /// Answers of the rows by row number, or the reason of a row without one.

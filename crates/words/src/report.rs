@@ -243,6 +243,10 @@ texts! {
         "Independent calculation, neither affiliated with nor endorsed by the manufacturer of the actuators. The signatories are responsible for the inputs and for the use of the results."
         | "Unabhängige Berechnung ohne Verbindung zum Hersteller der Antriebe und nicht von ihm geprüft. Die Verantwortung für Eingaben und Verwendung der Ergebnisse liegt bei den Unterzeichnenden.";
     v_open = "Fits; data missing" | "Geeignet; es fehlen Angaben";
+    v_not_evaluated = "Not evaluated: data missing" | "Nicht bewertet: Es fehlen Angaben";
+    v_not_evaluated_text =
+        "No check could be made, because the data of the actuator or the axis that it needs are missing."
+        | "Kein Nachweis war möglich, weil Angaben zum Antrieb oder zur Achse fehlen.";
     v_fits_text =
         "All checks were made; all are passed."
         | "Alle Nachweise sind geführt und erfüllt.";

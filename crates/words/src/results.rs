@@ -168,6 +168,12 @@ impl Counts {
     pub const fn checks(&self) -> usize {
         self.passed + self.advised + self.failed + self.not_checked + self.without_limit
     }
+
+    /// Returns `true` if no check could be made: every one of them lacks a datum.
+    #[must_use]
+    pub const fn are_all_open(&self) -> bool {
+        self.passed + self.advised + self.failed == 0 && self.not_checked > 0
+    }
 }
 
 /// Checks beyond their limits that do not reject an actuator, each list as text.
@@ -226,7 +232,8 @@ pub fn advice_word(estimate: bool, rating: bool, language: Language) -> String {
 pub fn standing_text(fit: Fit, provisos: &Provisos, unheld: bool, counts: &Counts, language: Language) -> String {
     let (all, missing) = (counts.checks(), counts.not_checked);
     let mut text = match (fit, counts.failed) {
-        (Fit::Fits, _) => said!(language => "fits" | "geeignet"),
+        (Fit::Fits, _) if counts.are_all_open() => terms::not_evaluated(language).to_owned(),
+        (Fit::Fits, _) => terms::fits(language).to_owned(),
         (Fit::FitsIfEstimate, _) => {
             let Provisos { estimates, ratings } = provisos;
             let (estimate, rating) = (terms::fits_if_estimate(language), terms::fits_unless_rating(language));

@@ -32,7 +32,9 @@ pub fn ratios_text(ratios: &[RatioAnswer], language: Language) -> String {
                 "{code} with {share} %, {many} fit"
                 | "{code} mit {share} %, {many} geeignet"
             ),
-            (None, _) => said!(language => "none fits" | "keiner ist geeignet"),
+            (None, _) => said!(language =>
+                "none fits, the nearest has {share} %" | "keiner ist geeignet, der nächste hat {share} %"
+            ),
         };
         let chosen = if answer.chosen { said!(language => " (chosen)" | " (gewählt)") } else { String::new() };
         format!("{ratio}: {found}{chosen}")

@@ -325,6 +325,11 @@ texts! {
         | "{total} Antriebe bewertet, 1 geeignet",
         "{total} actuators evaluated, {fitting} fit"
         | "{total} Antriebe bewertet, {fitting} geeignet";
+    without_any_check(count) =
+        "1 of them not evaluated: data missing for every check"
+        | "1 davon nicht bewertet: für jeden Nachweis fehlen Angaben",
+        "{count} of them not evaluated: data missing for every check"
+        | "{count} davon nicht bewertet: für jeden Nachweis fehlen Angaben";
     more_on_condition(count, condition) =
         "{count} more fits {condition}"
         | "{count} weiterer, {condition}",

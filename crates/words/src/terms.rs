@@ -25,6 +25,7 @@ texts! {
     fail = "fail" | "nicht erfüllt";
     file = "file" | "Datei";
     fits = "fits" | "geeignet";
+    not_evaluated = "not evaluated" | "nicht bewertet";
     fits_if_estimate = "fits if the estimate holds" | "geeignet, sofern die Schätzung zutrifft";
     fits_unless_rating =
         "fits unless the gear rating of another manufacturer applies"

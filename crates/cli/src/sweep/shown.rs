@@ -4,12 +4,12 @@ use crate::answer::{CommandAnswer, written};
 use crate::call::Call;
 use crate::command::own::VARY;
 use crate::table::{Align, TextTable};
-use quantities::Language;
+use quantities::{Language, format_significant};
 use questions::CheckId;
 use questions::list::{Inquiry, Unanswered, sweep};
 use questions::sweep::{SweepRow, SweepSummary};
 use questions::texts::percent;
-use words::{check_title, sweeps, terms};
+use words::{check_title, sweeps, terminal, terms};
 
 /// Largest number of rows that are shown; --json and a file have all of them.
 const ROWS_MOST: usize = 200;
@@ -38,10 +38,14 @@ fn table(summary: &SweepSummary, headings: &[&str], language: Language) -> Strin
         (terms::utilisation_short(language).to_owned(), Align::Right),
         (terms::tightest_check(language).to_owned(), Align::Left),
     ];
-    let mut table = TextTable::new(own.chain(of_answer));
+    let has_ratio = summary.answers.iter().any(|row| row.stage_ratio.is_some());
+    let ratio = has_ratio.then(|| (terminal::ratio_of_the_stage(language).to_owned(), Align::Right));
+    let mut table = TextTable::new(own.chain(of_answer).chain(ratio));
     for row in summary.answers.iter().take(ROWS_MOST) {
         let own = headings.iter().map(|heading| row.labels.get(*heading).cloned().unwrap_or_default());
-        table.row(own.chain(answer(row, language)).collect::<Vec<_>>());
+        let ratio = row.stage_ratio.as_ref().map(|ratio| format_significant(ratio.0, 4, language));
+        let ratio = has_ratio.then(|| ratio.unwrap_or_default());
+        table.row(own.chain(answer(row, language)).chain(ratio).collect::<Vec<_>>());
     }
     let mut text = table.render();
     if summary.answers.len() > ROWS_MOST {

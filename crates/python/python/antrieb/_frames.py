@@ -74,7 +74,7 @@ def item(table: Table, key: Any) -> Any:
 
 
 ANSWERED = frozenset(
-    {"row", "fit", "fit_if_estimate", "code", "utilisation", "tightest", "error", "verdict", "fits", "errata", "mass [kg]", "length [mm]"}
+    {"row", "fit", "fit_if_estimate", "code", "utilisation", "tightest", "error", "verdict", "fits", "errata", "mass [kg]", "length [mm]", "stage_ratio"}
 )
 """Columns of the answers of a sweep; the others are repeated from its table."""
 

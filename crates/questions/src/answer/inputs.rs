@@ -125,6 +125,15 @@ fn with_unit(digits: &str, unit: &str, language: Language) -> String {
     }
 }
 
+/// Formats an entry of a list: a number or a quantity in the format of the language, a word as it is.
+fn list_item(item: &str, language: Language) -> String {
+    let (digits, unit) = item.split_once(' ').unwrap_or((item, ""));
+    match digits.parse::<f64>() {
+        Ok(_) => with_unit(digits, Unit::of(unit).map_or(unit, |known| known.symbol_in(language)), language),
+        Err(_) => item.to_owned(),
+    }
+}
+
 /// Formats a value that is no quantity: words of a fixed set in the language, lists without brackets.
 fn written(path: &str, text: &str, language: Language) -> String {
     if path.contains(".bodies[") {
@@ -133,7 +142,10 @@ fn written(path: &str, text: &str, language: Language) -> String {
     let name = path.rsplit('.').next().unwrap_or(path);
     let list = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
     if let Some(list) = list {
-        return list.replace(['"', '\''], "").trim().trim_end_matches(',').to_owned();
+        let items = list.split(',').map(|item| item.trim().trim_matches(['"', '\'']).trim());
+        let items: Vec<String> =
+            items.filter(|item| !item.is_empty()).map(|item| list_item(item, language)).collect();
+        return items.join(if language.decimal_mark() == ',' { "; " } else { ", " });
     }
     if let Some(word) = key_word(name, text, language) {
         return word.into_owned();

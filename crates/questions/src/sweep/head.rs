@@ -26,6 +26,8 @@ pub struct Head {
     recordings: BTreeSet<String>,
     /// Largest number of codes that a row is judged for.
     codes: usize,
+    /// `true` if each row chooses among several ratios of a stage.
+    chooses_ratio: bool,
     /// `true` if a heading is refused.
     is_misread: bool,
     options: Options,
@@ -67,6 +69,7 @@ impl Head {
         let recordings = recordings.map(|read| read.file.clone()).collect();
         let codes = projects.iter().flatten().map(|project| products_of(project).len());
         let codes = codes.max().unwrap_or(0);
+        let chooses_ratio = projects.iter().flatten().any(|project| !project.ratios.is_empty());
         let (axis, refused) = match projects {
             Ok(projects) => of_projects(projects, &options),
             Err(why) => (of_text(known.as_deref().unwrap_or_default(), options.axis.as_deref()), Some(why)),
@@ -80,6 +83,7 @@ impl Head {
             decimals: Decimals::of(&options),
             recordings,
             codes,
+            chooses_ratio,
             is_misread: false,
             options,
         };
@@ -171,6 +175,12 @@ impl Head {
                 cells.check((place, column), first_row, language, &mut self.decimals, &mut self.faults);
             }
         }
+    }
+
+    /// Returns `true` if each row chooses among several ratios of a stage (`stage.ratios`), of which its answer names one.
+    #[must_use]
+    pub const fn chooses_ratio(&self) -> bool {
+        self.chooses_ratio
     }
 
     /// Returns `true` if the cells below a heading are numbers.

@@ -34,6 +34,8 @@ pub struct Best {
     /// Governing check; if none fits, that of the actuator with the smallest excess, or the check that excludes it if the
     /// place of installation excludes every code.
     pub tightest: Option<CheckId>,
+    /// Ratio of the stage chosen among several; `None` if the project does not state several.
+    pub stage_ratio: Option<f64>,
 }
 
 impl Best {
@@ -55,6 +57,8 @@ pub struct Every {
     pub utilisation: Option<f64>,
     /// Governing check.
     pub tightest: Option<CheckId>,
+    /// Ratio of the stage chosen among several; `None` if the project does not state several.
+    pub stage_ratio: Option<f64>,
     /// Verdict and utilisation of each requested check; `None` if the axis or the actuator does not have it.
     pub checks: Vec<Option<(Verdict, Option<f64>)>>,
 }
@@ -74,6 +78,8 @@ pub struct OnFront {
     pub utilisation: f64,
     /// Governing check.
     pub tightest: Option<CheckId>,
+    /// Ratio of the stage chosen among several; `None` if the project does not state several.
+    pub stage_ratio: Option<f64>,
     /// Ids of the errata of its mass and its length: the figures may not be those of the manual.
     pub errata: [&'static [&'static str]; 2],
 }
@@ -142,6 +148,11 @@ impl<'r> RowAxis<'r> {
         Self { project, axis: &project.axis, requirements: &project.requirements }
     }
 
+    /// Returns the ratio chosen among several.
+    fn stage_ratio(&self) -> Option<f64> {
+        (!self.project.ratios.is_empty()).then(|| self.axis.mechanism.stage_ratio())
+    }
+
     /// Returns the best of the catalogue.
     pub(super) fn best(&self, entrants: &[Entrant<'_>], screening: &mut Screening<'_>, meets: &[bool]) -> Best {
         let found = screening.found(self.axis, meets);
@@ -153,6 +164,7 @@ impl<'r> RowAxis<'r> {
             code: found.best.and_then(code),
             utilisation: ranked.and_then(|ranked| finite(ranked.utilisation)),
             tightest: ranked.and_then(|ranked| ranked.tightest),
+            stage_ratio: self.stage_ratio(),
         }
     }
 
@@ -185,6 +197,7 @@ impl<'r> RowAxis<'r> {
             code: Some(entrant.id.clone()),
             utilisation: finite(judgement.utilisation()),
             tightest: governing.map(|check| check.id),
+            stage_ratio: self.stage_ratio(),
         }
     }
 
@@ -202,6 +215,7 @@ impl<'r> RowAxis<'r> {
                 fit: standing.fit,
                 utilisation: finite(standing.utilisation),
                 tightest: judgement.governing_in(standing.fit).map(|check| check.id),
+                stage_ratio: self.stage_ratio(),
                 checks: wanted.iter().map(check).collect(),
             }
         };
@@ -220,6 +234,7 @@ impl<'r> RowAxis<'r> {
                 length_m: known_si(&entrant.product.parameters.length),
                 utilisation: standing.utilisation,
                 tightest: judgement.governing().map(|check| check.id),
+                stage_ratio: self.stage_ratio(),
                 errata: [errata_of(&entrant.product.parameters.mass), errata_of(&entrant.product.parameters.length)],
             })
         };

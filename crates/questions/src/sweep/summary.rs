@@ -1,6 +1,6 @@
 //! Numbers of the results of a sweep.
 
-use super::{Answer, Every, Judged};
+use super::{Answer, Every, OnFront, Judged};
 use answers::{Id, Number};
 use quantities::Language;
 use schemars::JsonSchema;
@@ -72,6 +72,9 @@ pub struct SweepRow {
     pub utilisation: Option<Number>,
     /// Identifier of this check.
     pub tightest: Option<Id<CheckId>>,
+    /// Ratio of the stage chosen among several of the project.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stage_ratio: Option<Number>,
     /// Why the row is not judged.
     pub error: Option<String>,
     /// Cells of the columns that are no keys, such as `id`, by their headings; for values that the call states those of the keys.
@@ -90,6 +93,7 @@ impl SweepRow {
             code: None,
             utilisation: None,
             tightest: None,
+            stage_ratio: None,
             error: None,
             labels: BTreeMap::new(),
         };
@@ -103,18 +107,24 @@ impl SweepRow {
         match answer {
             Ok(Judged::Best(best)) => {
                 let found = of(best.code.as_ref().map(|code| code.to_string()), best.utilisation, best.tightest);
-                vec![Self { fit: Some(best.fit), fit_if_estimate: Some(best.fit_if_estimate), ..found }]
+                let stage_ratio = share(best.stage_ratio);
+                vec![Self { fit: Some(best.fit), fit_if_estimate: Some(best.fit_if_estimate), stage_ratio, ..found }]
             }
             Ok(Judged::Every(all)) => {
                 let each = |one: &Every| Self {
                     fit: Some(u32::from(one.fit == Fit::Fits)),
                     fit_if_estimate: Some(u32::from(one.fit == Fit::FitsIfEstimate)),
+                    stage_ratio: share(one.stage_ratio),
                     ..of(Some(one.code.to_string()), one.utilisation, one.tightest)
                 };
                 all.iter().map(each).collect()
             }
             Ok(Judged::Front(front)) => {
-                front.iter().map(|one| of(Some(one.code.to_string()), Some(one.utilisation), one.tightest)).collect()
+                let each = |one: &OnFront| Self {
+                    stage_ratio: share(one.stage_ratio),
+                    ..of(Some(one.code.to_string()), Some(one.utilisation), one.tightest)
+                };
+                front.iter().map(each).collect()
             }
             Err(why) => vec![Self { error: Some(why.clone()), ..empty() }],
         }

@@ -36,6 +36,7 @@ fn sized(text: &str) -> Result<Best, String> {
     let governing = |candidate: &crate::Candidate<'_>| candidate.governing().map(|check| check.id);
     // Codes that a requirement excludes are judged in no row.
     let is_permitted = |candidate: &&crate::Candidate<'_>| candidate.objections.is_empty();
+    let stage_ratio = (!project.ratios.is_empty()).then(|| project.axis.mechanism.stage_ratio());
     let found = match (sizing.answer(), sizing.nearest_miss().filter(is_permitted)) {
         (Some(answer), _) => Best {
             fit,
@@ -43,6 +44,7 @@ fn sized(text: &str) -> Result<Best, String> {
             code: Some(answer.id.clone()),
             utilisation: finite(answer.standing.utilisation),
             tightest: governing(answer),
+            stage_ratio,
         },
         (None, Some(miss)) => Best {
             fit,
@@ -50,8 +52,9 @@ fn sized(text: &str) -> Result<Best, String> {
             code: None,
             utilisation: finite(miss.standing.utilisation),
             tightest: governing(miss),
+            stage_ratio,
         },
-        (None, None) => Best { fit, fit_if_estimate, code: None, utilisation: None, tightest: None },
+        (None, None) => Best { fit, fit_if_estimate, code: None, utilisation: None, tightest: None, stage_ratio },
     };
     Ok(found)
 }

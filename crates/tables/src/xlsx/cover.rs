@@ -13,7 +13,7 @@ use provenance::Grade;
 use quantities::unit::NEWTON_METRE;
 use quantities::{Language, Measure};
 use questions::texts::{governing_text, standing_text};
-use questions::{Candidate, Fit};
+use questions::{Candidate, Verdict};
 use rust_xlsxwriter::utility::row_col_to_cell;
 use rust_xlsxwriter::{ExcelDateTime, Format, Formula, Url, Worksheet};
 use words::{Word, capitalised, grade_about, grade_word, tables, terms};
@@ -114,11 +114,11 @@ fn answer(page: &mut Page<'_>, front: &Front<'_>) -> Result<(), WriteError> {
     let l = front.language;
     let chosen = front.chosen;
     page.sheet.write_string_with_format(page.row, 0, terms::verdict(l), &page.styles.label)?;
-    let format = match (chosen.fit(), chosen.open_questions()) {
-        (Fit::DoesNotFit, _) => &page.styles.over,
-        (Fit::FitsIfEstimate, _) => &page.styles.near,
-        (Fit::Fits, 0) => &page.styles.fine,
-        (Fit::Fits, _) => &page.styles.text,
+    let format = match chosen.marked_as() {
+        Verdict::Fail => &page.styles.over,
+        Verdict::Advice => &page.styles.near,
+        Verdict::Pass => &page.styles.fine,
+        Verdict::NotChecked => &page.styles.text,
     };
     let standing = standing_text(chosen, l);
     page.sheet.write_string_with_format(page.row, 1, &standing, &format.clone().set_bold().set_text_wrap())?;
