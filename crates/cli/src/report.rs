@@ -194,17 +194,21 @@ fn content<'p>(
 }
 
 /// Adds the chapters of the installation, and the documents that they cite, to the report of an actuator of the
-/// catalogue.
+/// catalogue; for another one a chapter that says that they are not known.
 fn install(
     content: &mut AxisContent,
     (project, candidate): (&AxisProject, &Candidate<'_>),
     delivered: Option<questions::list::upkeep::Date>,
     language: Language,
 ) -> Result<(), (String, Option<String>)> {
-    if let Some(code) = candidate.id.order_code() {
-        content.chapters = installation(code, project, delivered, language)?;
-        content.dossier.documents.extend(chapter::documents(&content.chapters, language));
-    }
+    let Some(code) = candidate.id.order_code() else {
+        let mut chapter = Chapter::new(words::terminal::installation(language).to_owned());
+        chapter.text(words::terminal::installation_not_known(&candidate.id.to_string(), language));
+        content.chapters = vec![chapter];
+        return Ok(());
+    };
+    content.chapters = installation(code, project, delivered, language)?;
+    content.dossier.documents.extend(chapter::documents(&content.chapters, language));
     Ok(())
 }
 

@@ -287,6 +287,11 @@ texts! {
         | "Alle geführten Nachweise sind für diese Antriebe erfüllt.";
     not_all_fit = "Not all axes have an actuator that fits." | "Nicht für alle Achsen ist ein Antrieb geeignet.";
     more = "more" | "weitere";
+    requirement_not_checked = "requirement not checked" | "Anforderung nicht geprüft";
+    requirements_not_checked = "requirements not checked" | "Anforderungen nicht geprüft";
+    open_requirements =
+        "Requirements not checked; each may rule out the actuator"
+        | "Nicht geprüfte Anforderungen; jede kann den Antrieb ausschließen";
     open_one = "check could not be made." | "Nachweis konnte nicht geführt werden.";
     open_many = "checks could not be made." | "Nachweise konnten nicht geführt werden.";
     open_none_rejects = "None of them can rule out the actuator." | "Keiner davon kann den Antrieb ausschließen.";

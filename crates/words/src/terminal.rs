@@ -325,6 +325,10 @@ texts! {
         | "{total} Antriebe bewertet, 1 geeignet",
         "{total} actuators evaluated, {fitting} fit"
         | "{total} Antriebe bewertet, {fitting} geeignet";
+    installation = "Mounting, wiring and commissioning" | "Montage, Verdrahtung und Inbetriebnahme";
+    installation_not_known(code) =
+        "Not known for {code}: these data come from the manual of the CHA series; those of another product are in the documents of its manufacturer."
+        | "Für {code} nicht bekannt: diese Angaben stammen aus der Anleitung der Reihe CHA; die eines anderen Produkts stehen in den Unterlagen seines Herstellers.";
     without_any_check(count) =
         "1 of them not evaluated: data missing for every check"
         | "1 davon nicht bewertet: für jeden Nachweis fehlen Angaben",

@@ -242,13 +242,18 @@ fn connected(
     }
 }
 
-/// Returns both joints: number and size of the screws, bolt circle, tightening torque and transmissible load.
+/// Returns both joints: number and size of the screws, bolt circle, tightening torque and transmissible load. A joint of which
+/// nothing is known is left out.
 fn screws(candidate: &Candidate<'_>, language: Language) -> Vec<answers::ScrewJoint> {
     let joints = [
         (records::load(language), &candidate.parameters.screw_joint_load),
         (terms::housing(language), &candidate.parameters.screw_joint_housing),
     ];
-    joints.into_iter().map(|(name, joint)| screw_joint(name, joint, language)).collect()
+    let is_known = |joint: &ScrewJoint| {
+        joint.size.known().is_some() || joint.bolt_circle.known().is_some() || joint.transmissible_torque.known().is_some()
+    };
+    let known = joints.into_iter().filter(|(_, joint)| is_known(joint));
+    known.map(|(name, joint)| screw_joint(name, joint, language)).collect()
 }
 
 fn screw_joint(name: &str, joint: &ScrewJoint, language: Language) -> answers::ScrewJoint {
@@ -262,6 +267,7 @@ fn screw_joint(name: &str, joint: &ScrewJoint, language: Language) -> answers::S
     let count = joint.count.known().map_or_else(String::new, |count| format!("{:.0} × ", count.value));
     let size = joint.size.known().map_or("–", |size| size.value.as_ref());
     let class = joint.grade.known().map_or_else(String::new, |class| format!(", {}", class.value));
+    let is_stated = joint.transmissible_torque.known().is_some();
     let transmitted = shown(&joint.transmissible_torque, &NEWTON_METRE, language);
     answers::ScrewJoint {
         joint: name.to_owned(),
@@ -269,7 +275,7 @@ fn screw_joint(name: &str, joint: &ScrewJoint, language: Language) -> answers::S
         circle: shown(&joint.bolt_circle, &MILLIMETRE, language),
         torque: shown(&joint.tightening_torque, &NEWTON_METRE, language),
         // The source states the condition: degreased faces.
-        text: records::transmits(&transmitted, language),
+        text: if is_stated { records::transmits(&transmitted, language) } else { String::new() },
         source: joint.transmissible_torque.known().map(|known| source_text(&known.source, language)),
     }
 }

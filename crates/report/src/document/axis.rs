@@ -58,9 +58,11 @@ struct Cover {
     is_of_another_gear: bool,
     fails: usize,
     advised: usize,
-    /// Number of checks and requirements for which a datum is missing.
+    /// Number of checks for which a datum is missing.
     open: usize,
-    /// Number of open checks and requirements that may reject the actuator.
+    /// Requirements for which a datum is missing, as text.
+    open_requirements: Vec<String>,
+    /// Number of open checks that may reject the actuator.
     rejecting: usize,
     shown: usize,
     passed: usize,
@@ -269,9 +271,9 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Format
         above_ratings: beyond(true),
         fails: counts.failed,
         advised: counts.advised,
-        open: candidate.open_questions,
-        // Besides the checks, requirements with a missing datum count; each may reject the actuator.
-        rejecting: checks.rejecting() + counts.requirements_open,
+        open: counts.not_checked,
+        open_requirements: candidate.open_requirements.iter().flatten().map(|text| tied(text)).collect(),
+        rejecting: checks.rejecting(),
         shown: counts.without_limit,
         passed: counts.passed,
         utilisation: governing.map_or_else(String::new, |check| {
