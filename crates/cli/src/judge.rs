@@ -86,8 +86,7 @@ fn side_by_side(inquiry: &Inquiry<'_>, args: &size::Args, language: Language) ->
             };
             let mass = named.parameters.mass.known();
             let fits = found.sizing.answer().is_some();
-            let verdict =
-                paint(verdict_of(named, language), named.marked_as());
+            let verdict = paint(verdict_of(named, language), named.marked_as());
             let row = vec![
                 file_name(&source.name).to_owned(),
                 project.name.clone(),

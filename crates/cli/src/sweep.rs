@@ -15,7 +15,7 @@ use crate::fault::path_text;
 use crate::source::SourceFile;
 use parts::{PART, SweepParts};
 use quantities::{Language, format_number};
-use questions::list::{Inquiry, Unanswered, sweep};
+use questions::list::{Cost, Inquiry, Unanswered, sweep};
 use questions::sweep::{SweepSummary, Tally};
 use run::SweepRun;
 use std::fmt::Write as _;
@@ -138,6 +138,9 @@ fn into_file(
     let text = source.text(language)?;
     let projects = source.projects(inquiry.catalogue, inquiry.progress, language);
     let products = run::products(&**inquiry.catalogue, projects.as_deref().unwrap_or_default());
+    let costs = projects.iter().flatten().map(Cost::seconds_of_row);
+    // From the project alone, so that the parts of a continued run are the same.
+    let rows_in_time = rows_within(SECONDS_OF_PART, costs.fold(0.0, f64::max));
     let mut saver = call.saver();
     let place = format_of(call, out).and_then(|answers| saver.ready(&[out]).map(|()| answers));
     let opened = table.open(0, PART).map(|batches| (table, batches));
@@ -168,7 +171,7 @@ fn into_file(
     // Files that the table names are protected too.
     saver.inputs.extend(run.recordings.iter().map(|name| project_files.folder.join(name)));
     saver.ready(&[out])?;
-    let lines = sweep.rows_within(call.memory(), PART);
+    let lines = sweep.rows_within(call.memory(), rows_in_time);
     let parts = SweepParts::of(&run, out, run.mark()?, lines, call.flag("force"))?;
     let mut talk = format!("{}\n", sweeps::keys(&sweep.keys().collect::<Vec<_>>().join(", "), language));
     let carried = sweep.carried().collect::<Vec<_>>().join(", ");
@@ -197,6 +200,15 @@ fn into_file(
     let summary = tally.summary(Some(path_text(out)), language);
     let data = if call.as_json { written(&summary) } else { shown(&summary, language) };
     Ok(CommandAnswer { talk, ..CommandAnswer::data(data) }.fits(summary.fitting > 0))
+}
+
+/// Time after which a part should be finished on one core \[s\]: what an interruption or a time limit loses at most.
+const SECONDS_OF_PART: f64 = 30.0;
+
+/// Returns the number of rows of a part that is finished within a time, from one to [`PART`].
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from one to the largest part")]
+fn rows_within(seconds: f64, of_row: f64) -> usize {
+    (seconds / of_row).clamp(1.0, PART as f64) as usize
 }
 
 /// Returns the format of the answers: that of the ending of their file, with the decimal sign of the call.
@@ -253,4 +265,36 @@ fn shown(summary: &SweepSummary, language: Language) -> String {
         }
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A part takes half a minute at most by the estimate, whatever a row costs, and never more rows than the largest part.
+    #[test]
+    fn a_part_has_as_many_rows_as_its_time_permits() {
+        for exponent in -8..8_i32 {
+            let of_row = 3.0 * 10.0_f64.powi(exponent);
+            let rows = rows_within(SECONDS_OF_PART, of_row);
+            assert!((1..=PART).contains(&rows), "{of_row}");
+            assert!(rows == 1 || rows as f64 * of_row <= SECONDS_OF_PART, "{of_row}: {rows}");
+            assert!(rows == PART || (rows + 1) as f64 * of_row > SECONDS_OF_PART, "{of_row}: {rows}");
+        }
+    }
+
+    /// A row costs more with the samples of a recording and with the ratios among which it chooses.
+    #[test]
+    fn a_long_recording_and_several_ratios_make_a_row_dear() {
+        let axis = "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"trapezoid\"\ndistance = \"90 deg\"\n\
+             time = \"0.5 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
+        let cost = |text: &str| Cost::seconds_of_row(&questions::read(text).unwrap());
+        let plain = cost(axis);
+        assert_eq!(rows_within(SECONDS_OF_PART, plain), PART, "{plain}");
+        let chosen = cost(&axis.replace(
+            "[[motion]]\nlaw = \"trap",
+            "[stage]\nkind = \"belt\"\nratios = [2, 3]\n[[motion]]\nlaw = \"trap",
+        ));
+        assert!(chosen > 20.0 * plain, "{chosen} {plain}");
+    }
 }

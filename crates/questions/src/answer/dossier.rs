@@ -250,7 +250,9 @@ fn screws(candidate: &Candidate<'_>, language: Language) -> Vec<answers::ScrewJo
         (terms::housing(language), &candidate.parameters.screw_joint_housing),
     ];
     let is_known = |joint: &ScrewJoint| {
-        joint.size.known().is_some() || joint.bolt_circle.known().is_some() || joint.transmissible_torque.known().is_some()
+        joint.size.known().is_some()
+            || joint.bolt_circle.known().is_some()
+            || joint.transmissible_torque.known().is_some()
     };
     let known = joints.into_iter().filter(|(_, joint)| is_known(joint));
     known.map(|(name, joint)| screw_joint(name, joint, language)).collect()

@@ -143,8 +143,7 @@ fn written(path: &str, text: &str, language: Language) -> String {
     let list = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
     if let Some(list) = list {
         let items = list.split(',').map(|item| item.trim().trim_matches(['"', '\'']).trim());
-        let items: Vec<String> =
-            items.filter(|item| !item.is_empty()).map(|item| list_item(item, language)).collect();
+        let items: Vec<String> = items.filter(|item| !item.is_empty()).map(|item| list_item(item, language)).collect();
         return items.join(if language.decimal_mark() == ',' { "; " } else { ", " });
     }
     if let Some(word) = key_word(name, text, language) {

@@ -85,6 +85,21 @@ impl Cost {
         1.0 / self.axes() + samples as f64 / self.samples() as f64 + nodes / instants + shown + besides
     }
 
+    /// Returns the approximate upper limit of the time of a row of a sweep over the catalogue on one core \[s\], with the values
+    /// that the project states.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss, reason = "counts far below 2^52")]
+    pub fn seconds_of_row(project: &AxisProject) -> f64 {
+        /// Time of a row of the shortest cycles \[s\], and of reading one whose ratio of the stage is chosen anew.
+        const LEAST: (f64, f64) = (1e-4, 5e-3);
+        let ranking = Self::Ranking { complete: 0, draw: Draw::default() };
+        let judged = (ranking.share(project) - 1.0 / ranking.axes()) * ranking.seconds() as f64 + LEAST.0;
+        match project.ratios.len() {
+            0 => judged,
+            ratios => LEAST.1 + (ratios + 1) as f64 * (judged + LEAST.1),
+        }
+    }
+
     /// Returns the approximate upper limits of an answer about an axis on one core: time \[s\], and memory of the
     /// process \[byte\].
     #[must_use]

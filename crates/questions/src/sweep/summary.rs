@@ -1,6 +1,6 @@
 //! Numbers of the results of a sweep.
 
-use super::{Answer, Every, OnFront, Judged};
+use super::{Answer, Every, Judged, OnFront};
 use answers::{Id, Number};
 use quantities::Language;
 use schemars::JsonSchema;
