@@ -7,13 +7,16 @@ use chrono::NaiveDate;
 /// Seconds of a day.
 const DAY_S: i64 = 86_400;
 
+/// Seconds of an hour.
+const HOUR_S: i64 = 3600;
+
 /// Reader of a column of clock times; times are counted from the first one.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Clock {
     first: Option<Stamp>,
     last: Option<i64>,
-    /// Days elapsed, counted at midnight if no date is written.
-    days: i64,
+    /// Seconds that the clock has started anew: at midnight if no date is written, at the full hour if no hour is.
+    turned: i64,
     /// Order of day and month, one for the column, once a date shows it.
     order: Option<Order>,
     /// A date differs from the first one.
@@ -28,6 +31,8 @@ struct Stamp {
     /// Fraction of a second.
     part: f64,
     date: Option<Date>,
+    /// Seconds after which the clock starts anew without a date: a day, or an hour for `mm:ss,0`.
+    turn: i64,
 }
 
 /// A date.
@@ -136,12 +141,12 @@ impl Clock {
         let seconds = stamp.since(order)?;
         if let Some(last) = self.last
             && stamp.date.is_none()
-            && seconds < last - DAY_S / 2
+            && seconds < last - stamp.turn / 2
         {
-            self.days += 1;
+            self.turned += stamp.turn;
         }
         self.last = Some(seconds);
-        let seconds = seconds.checked_add(self.days * DAY_S)?.checked_sub(first.since(order)?)?;
+        let seconds = seconds.checked_add(self.turned)?.checked_sub(first.since(order)?)?;
         Some(Tick::of_parts(seconds, stamp.part - first.part))
     }
 }
@@ -195,7 +200,8 @@ fn read(text: &str) -> Option<Stamp> {
         return None;
     }
     let seconds = 3600 * hour + 60 * minute + whole - offset;
-    Some(Stamp { seconds, part, date })
+    let turn = if parts.len() == 2 { HOUR_S } else { DAY_S };
+    Some(Stamp { seconds, part, date, turn })
 }
 
 /// Splits the offset from UTC off a time and returns it in seconds.
@@ -358,6 +364,29 @@ mod tests {
         let mut clock = Clock::default();
         assert!(clock.tick("31/03/2025 10:00:00").is_some());
         assert!(clock.tick("03/31/2025 10:00:01").is_none(), "two orders");
+    }
+
+    /// Times without a date go on at midnight, those without an hour at the full hour, as often as they come.
+    #[test]
+    fn a_clock_without_date_or_hour_goes_on_when_it_starts_anew() {
+        for (turn, of) in [
+            (
+                DAY_S,
+                (|at: i64| format!("{:02}:{:02}:{:02}.500", at / 3600, at / 60 % 60, at % 60)) as fn(i64) -> String,
+            ),
+            (HOUR_S, |at| format!("{:02}:{:02},500", at / 60, at % 60)),
+        ] {
+            for first in [0, 1, turn / 2, turn - 1] {
+                for step in [1, 59, turn / 2 - 1] {
+                    let mut clock = Clock::default();
+                    for row in 0..12 {
+                        let at = first + row * step;
+                        let found = clock.tick(&of(at % turn)).map(Tick::value);
+                        assert_eq!(found, Some((row * step) as f64), "{turn} {first} {step}: row {row}");
+                    }
+                }
+            }
+        }
     }
 
     #[test]
