@@ -95,6 +95,16 @@ texts! {
     time_not_rising(line) =
         "line {line}: the time is not later than that of the previous row"
         | "Zeile {line}: die Zeit liegt nicht nach der Zeit der vorigen Zeile";
+    taken_as(heading, column, signal) =
+        "column \"{heading}\" is taken as {column}, {signal}, and converted from its unit"
+        | "Spalte „{heading}“ wird als {column} gelesen, {signal}, und aus ihrer Einheit umgerechnet";
+    signal_time = "the time" | "die Zeit";
+    signal_position = "the angle of the mechanism" | "der Winkel der Mechanik";
+    signal_speed = "the speed of the mechanism" | "die Drehzahl der Mechanik";
+    signal_motor_speed =
+        "the speed of the motor divided by the ratio" | "die Motordrehzahl geteilt durch die Untersetzung";
+    signal_torque = "the torque through the gear at the output" | "das Drehmoment durch das Getriebe am Abtrieb";
+    signal_current = "the peak value of i_q" | "der Scheitelwert von i_q";
     columns_of_the_file(columns) = "; the file has {columns}" | "; die Datei hat {columns}";
     headings_to_write(headings) = "; write {headings}" | "; {headings} schreiben";
     heading_instead(heading, written) = "{heading} for {written}" | "{heading} statt {written}";

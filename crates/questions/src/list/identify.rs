@@ -149,7 +149,7 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<Identification, Unanswered> {
     let language = inquiry.language;
     let (_, project) = inquiry.axis(args.axis.as_deref(), Cost::Other)?;
     let candidate = check_one(&project, args.code.as_ref())?;
-    let reading::RecordedRun { observed, lines } = reading::run(inquiry, &args.trace.unwrap_or_default())?;
+    let reading::RecordedRun { observed, lines, taken } = reading::run(inquiry, &args.trace.unwrap_or_default())?;
     let samples = observed.time_s.len();
     let parameters = replaced(&project, twin::Parameters::of(candidate.parameters));
     let axis = &project.axis;
@@ -183,7 +183,7 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<Identification, Unanswered> {
         signals: signals(&found, language),
         doubts: found.doubts.iter().map(|doubt| doubted(doubt, language)).collect(),
         overrides,
-        notes: notes(&found, &axis.mechanism, &axis.extras, language),
+        notes: taken.into_iter().chain(notes(&found, &axis.mechanism, &axis.extras, language)).collect(),
     })
 }
 

@@ -62,20 +62,36 @@ fn of_motor(words: &[String]) -> bool {
     words.iter().any(|word| word.starts_with("motor"))
 }
 
-/// Returns the heading that names a signal, with its unit.
-fn named<'h>(names: &Names, headings: &'h [String]) -> Option<(&'h str, Option<&'static Unit>)> {
-    let is_motor = names.heading.starts_with("motor");
-    let fits = |words: &[String]| {
+impl Names {
+    /// Returns `true` if words name the signal, at its side of the gear.
+    fn are_in(&self, words: &[String]) -> bool {
         let is_named = words.iter().any(|word| {
             let word = word.strip_prefix("motor").filter(|rest| !rest.is_empty()).unwrap_or(word);
-            names.any.contains(&word)
+            self.any.contains(&word)
         });
-        is_named && of_motor(words) == is_motor
-    };
+        is_named && of_motor(words) == self.heading.starts_with("motor")
+    }
+}
+
+/// Returns the only heading that names the signal of a column in words, with a unit in brackets, and the factor from this unit to
+/// that of the column: `Motordrehzahl [1/min]`. `None` if there is none, or more than one.
+pub(super) fn meant(column: &str, headings: &[String]) -> Option<(usize, f64)> {
+    let names = NAMES.iter().find(|names| names.heading == column)?;
+    let mut found =
+        headings.iter().enumerate().filter(|(_, heading)| heading.contains(['[', '('])).filter_map(|(at, heading)| {
+            let (words, unit) = parted(heading, names.dimension);
+            Some((at, unit.filter(|_| names.are_in(&words))?.to_si(1.0)))
+        });
+    let only = found.next()?;
+    found.next().is_none().then_some(only)
+}
+
+/// Returns the heading that names a signal, with its unit.
+fn named<'h>(names: &Names, headings: &'h [String]) -> Option<(&'h str, Option<&'static Unit>)> {
     let of_words = headings.iter().find_map(|heading| {
         let (words, unit) = parted(heading, names.dimension);
         // `i_q`, `t_s` and the like have one letter before their unit.
-        fits(&words).then_some((heading.as_str(), unit))
+        names.are_in(&words).then_some((heading.as_str(), unit))
     });
     of_words.or_else(|| {
         let near = |heading: &&String| strsim::damerau_levenshtein(&heading.to_lowercase(), names.heading) <= 2;

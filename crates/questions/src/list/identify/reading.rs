@@ -8,7 +8,7 @@ use quantities::{Language, format_significant, seen};
 use recording::{Bytes, Content, Fault, Memory, Records, RowKind};
 use std::io::Read;
 use twin::{IdentifyFault, Observed};
-use words::{file_trouble, identification, recording_text, simulation};
+use words::{Word, file_trouble, identification, recording_text, simulation};
 
 /// Largest size of the file of a run.
 const TRACE_MOST: u64 = 256 << 20;
@@ -26,6 +26,7 @@ const FAULTS_MOST: usize = 20;
 /// unit.
 struct Column {
     heading: &'static str,
+    signal: Word,
     most: f64,
     required: bool,
 }
@@ -34,12 +35,12 @@ struct Column {
 ///
 /// The bounds are a choice: a million revolutions, a motor of 10⁶ 1/min not divided by i, times since 1970.
 const COLUMNS: [Column; 6] = [
-    Column { heading: "time_s", most: 1e10, required: true },
-    Column { heading: "position_rad", most: 1e7, required: true },
-    Column { heading: "speed_rad_s", most: 1e6, required: false },
-    Column { heading: "motor_speed_rad_s", most: 1e6, required: true },
-    Column { heading: "torque_nm", most: 1e6, required: true },
-    Column { heading: "current_q_a", most: 1e5, required: true },
+    Column { heading: "time_s", signal: identification::signal_time, most: 1e10, required: true },
+    Column { heading: "position_rad", signal: identification::signal_position, most: 1e7, required: true },
+    Column { heading: "speed_rad_s", signal: identification::signal_speed, most: 1e6, required: false },
+    Column { heading: "motor_speed_rad_s", signal: identification::signal_motor_speed, most: 1e6, required: true },
+    Column { heading: "torque_nm", signal: identification::signal_torque, most: 1e6, required: true },
+    Column { heading: "current_q_a", signal: identification::signal_current, most: 1e5, required: true },
 ];
 
 /// Place of the column of time.
@@ -50,6 +51,8 @@ pub(super) struct RecordedRun {
     pub(super) observed: Observed,
     /// Line of each row, from 1; empty where rows are numbered.
     pub(super) lines: Vec<usize>,
+    /// Headings in words that were taken for columns, as text.
+    pub(super) taken: Vec<String>,
 }
 
 /// Columns of a file, and their faults.
@@ -60,6 +63,8 @@ struct Columns {
     faults: Vec<String>,
     /// Headings of the file.
     headings: Vec<String>,
+    /// Headings in words that were taken for columns, as text.
+    taken: Vec<String>,
     /// Line with headings of a run below those read.
     headings_below: Option<u64>,
     /// Number of rows, if they are more than permitted; their values are not kept.
@@ -159,7 +164,7 @@ impl Columns {
         let [time_s, position_rad, motor_rad_s, torque_nm, current_q_a] =
             [time_s, position_rad, motor_rad_s, torque_nm, current_q_a].map(Option::unwrap_or_default);
         let observed = Observed { time_s, position_rad, speed_rad_s, motor_rad_s, torque_nm, current_q_a };
-        Ok(RecordedRun { observed, lines: self.lines })
+        Ok(RecordedRun { observed, lines: self.lines, taken: self.taken })
     }
 }
 
@@ -169,8 +174,35 @@ fn out_of_range(line: usize, column: &Column, value: f64, language: Language) ->
     identification::out_of_range(&line, &column.heading, &number(value), &number(column.most), language)
 }
 
+/// Place of a column of the file among [`COLUMNS`], and the factor of its values.
+type Place = (usize, f64);
+
+/// Returns the place of each column of a file: by its heading as `simulate --out` writes it, the first where it is repeated;
+/// else by words and a unit that only one heading has.
+fn places(headings: &[String]) -> Vec<Option<Place>> {
+    let mut places: Vec<Option<Place>> = vec![None; headings.len()];
+    for (place, column) in COLUMNS.iter().enumerate() {
+        let exact = headings.iter().position(|heading| heading == column.heading).map(|at| (at, 1.0));
+        let Some((at, factor)) = exact.or_else(|| headings::meant(column.heading, headings)) else { continue };
+        if let Some(free) = places.get_mut(at).filter(|free| free.is_none()) {
+            *free = Some((place, factor));
+        }
+    }
+    places
+}
+
+/// Returns which headings in words are taken for which columns, as text.
+fn taken(headings: &[String], places: &[Option<Place>], language: Language) -> Vec<String> {
+    let pairs = headings.iter().zip(places).filter_map(|(heading, place)| Some((heading, COLUMNS.get((*place)?.0)?)));
+    let in_words = pairs.filter(|(heading, column)| heading.as_str() != column.heading);
+    let text = |(heading, column): (&String, &Column)| {
+        let signal = (column.signal)(language);
+        identification::taken_as(&seen(heading), &column.heading, &signal, language)
+    };
+    in_words.map(text).collect()
+}
+
 fn of_parquet(bytes: Vec<u8>, memory: &mut Memory, most: u64, language: Language) -> Columns {
-    let headings = COLUMNS.map(|column| column.heading);
     let held = bytes.len() as u64;
     let file = Bytes::from(bytes);
     match recording::row_count(&file) {
@@ -180,15 +212,26 @@ fn of_parquet(bytes: Vec<u8>, memory: &mut Memory, most: u64, language: Language
     }
     let read = memory.take(held).map_err(|fault| vec![fault]).and_then(|()| {
         let names = recording::column_names(&file).map_err(|fault| vec![fault])?;
-        Ok((names, recording::read_columns(&file, &headings, memory)?))
+        let places = places(&names);
+        let named = |place: usize| {
+            let at = places.iter().position(|found| found.is_some_and(|(of, _)| of == place))?;
+            Some((names.get(at)?.as_str(), places.get(at).copied()??.1))
+        };
+        let wanted: [(&str, f64); COLUMNS.len()] = std::array::from_fn(|place| {
+            named(place).unwrap_or((COLUMNS.get(place).map_or("", |column| column.heading), 1.0))
+        });
+        let values = recording::read_columns(&file, &wanted.map(|(name, _)| name), memory)?;
+        let taken = taken(&names, &places, language);
+        Ok((values, wanted.map(|(_, factor)| factor), taken, names))
     });
-    let (names, values) = match read {
+    let (values, factors, taken, names) = match read {
         Ok(read) => read,
         Err(faults) => return Columns::unread(&faults, language),
     };
-    let mut found = Columns { headings: names, ..Columns::default() };
-    for ((place, values), column) in found.values.iter_mut().zip(values).zip(&COLUMNS) {
+    let mut found = Columns { headings: names, taken, ..Columns::default() };
+    for (((place, values), column), factor) in found.values.iter_mut().zip(values).zip(&COLUMNS).zip(factors) {
         *place = values;
+        place.iter_mut().flatten().for_each(|value| *value *= factor);
         let cells = place.iter().flatten().zip(1_usize..).filter(|(value, _)| value.abs() > column.most);
         let left = FAULTS_MOST.saturating_sub(found.faults.len());
         found.faults.extend(cells.take(left).map(|(value, row)| out_of_range(row, column, *value, language)));
@@ -223,15 +266,9 @@ fn of_csv(file: impl Read, memory: &mut Memory, most: u64, language: Language) -
         Ok(records) => records,
         Err(fault) => return Columns::unread(&[fault], language),
     };
-    // If a heading is repeated, its first column is used.
-    let heads = records.headings().iter().enumerate();
-    let is_first =
-        |index: usize, head: &String| records.headings().iter().position(|other| other == head) == Some(index);
-    let places: Vec<Option<usize>> = heads
-        .map(|(index, head)| COLUMNS.iter().position(|column| column.heading == head && is_first(index, head)))
-        .collect();
-    let mut found = Columns::default();
-    for place in places.iter().flatten() {
+    let places = places(records.headings());
+    let mut found = Columns { taken: taken(records.headings(), &places, language), ..Columns::default() };
+    for (place, _) in places.iter().flatten() {
         if let Some(values) = found.values.get_mut(*place) {
             *values = Some(Vec::new());
         }
@@ -265,7 +302,7 @@ fn of_csv(file: impl Read, memory: &mut Memory, most: u64, language: Language) -
         }
         let line = usize::try_from(records.line()).unwrap_or(usize::MAX);
         if std::mem::take(&mut is_first_row) {
-            let heading_of = |index: usize| Some(COLUMNS.get(places.get(index).copied()??)?.heading);
+            let heading_of = |index: usize| Some(COLUMNS.get(places.get(index).copied()??.0)?.heading);
             if let Some(others) = headings::of_units(&mut records, heading_of, language) {
                 if !others.is_empty() {
                     found.faults.push(identification::unit_row(&line, &others.join(", "), language));
@@ -279,7 +316,8 @@ fn of_csv(file: impl Read, memory: &mut Memory, most: u64, language: Language) -
         found.lines.push(line);
         let Columns { values, faults, .. } = &mut found;
         let row = records.numbers(|index, number, cell| {
-            let Some(place) = places.get(index).copied().flatten() else { return };
+            let Some((place, factor)) = places.get(index).copied().flatten() else { return };
+            let number = number.map(|number| number * factor);
             let (Some(column), Some(Some(values))) = (COLUMNS.get(place), values.get_mut(place)) else { return };
             // A fault keeps its place, so that rows and numbers stay aligned.
             values.push(number.unwrap_or_default());
@@ -313,6 +351,43 @@ fn of_csv(file: impl Read, memory: &mut Memory, most: u64, language: Language) -
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Headings in words with a unit give the values of the columns, in every order, language and unit; what is not clear stays
+    /// unread: two headings of one signal, a heading without a unit, the unit of another quantity, a motor's signal for that of the load.
+    #[test]
+    fn headings_in_words_are_taken_for_columns_with_their_factors() {
+        let factors = |headings: &[&str]| {
+            let headings: Vec<String> = headings.iter().map(|heading| (*heading).to_owned()).collect();
+            let places = places(&headings);
+            places.iter().map(|place| place.map(|(at, factor)| (COLUMNS[at].heading, factor))).collect::<Vec<_>>()
+        };
+        let (time, degree, rpm) = (Some(("time_s", 1e-3)), std::f64::consts::PI / 180.0, std::f64::consts::PI / 30.0);
+        for headings in [
+            ["Zeit [ms]", "Lage [°]", "Motordrehzahl [1/min]", "Drehmoment [mNm]", "Iq [A]", "Temperatur [°C]"],
+            ["time (ms)", "actual position (deg)", "motor speed (rpm)", "torque (mN m)", "current (A)", "note"],
+        ] {
+            let found = factors(&headings);
+            let near = |at: usize, column: &str, factor: f64| {
+                let (name, of) = found[at].unwrap_or_else(|| panic!("{headings:?}: {at}"));
+                assert!(name == column && (of / factor - 1.0).abs() < 1e-12, "{name} {of}");
+            };
+            assert_eq!((found[0], found[5]), (time, None));
+            near(1, "position_rad", degree);
+            near(2, "motor_speed_rad_s", rpm);
+            near(3, "torque_nm", 1e-3);
+            near(4, "current_q_a", 1.0);
+        }
+        for unclear in [
+            &["Zeit", "pos"][..],
+            &["Lage 1 [°]", "Lage 2 [°]"],
+            &["position [V]", "torque [A]"],
+            &["Motorlage [°]", "Motorstrom [Nm]"],
+        ] {
+            assert!(factors(unclear).iter().all(Option::is_none), "{unclear:?}");
+        }
+        // The own name of a column is the first choice.
+        assert_eq!(factors(&["Zeit [ms]", "time_s", "time_s"]), [None, Some(("time_s", 1.0)), None]);
+    }
 
     /// The rows of a text are counted up to its end, the values of too many are not kept.
     #[test]
