@@ -236,7 +236,8 @@ pub(crate) fn size_watched<'p, W: StepObserver>(
     if rejected == Rejected::Nearest && !candidates.iter().any(Candidate::fits) {
         settle_nearest(project, &mut candidates, watch)?;
     }
-    let mut candidates = ranked(candidates);
+    // Best first.
+    candidates.sort_by_cached_key(|candidate| RankKey::of(&candidate.standing));
     let fitting = candidates.partition_point(Candidate::fits);
     if !all_complete {
         let mut judging = Judging::of(project, Scope::All, Depth::Complete);
@@ -308,14 +309,6 @@ fn in_parallel<'t, T: Sync, R: Send, S: Send, F: FnMut(&'t T) -> Result<R, S>>(
 /// Returns a datum in SI, if it is known.
 pub(crate) fn known_si<Q: Measure>(datum: &Datum<Q>) -> Option<f64> {
     datum.known().map(|known| known.value.si())
-}
-
-/// Sorts candidates, best first.
-fn ranked(candidates: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
-    let mut order: Vec<(RankKey, usize)> = candidates.iter().map(|c| RankKey::of(&c.standing)).zip(0..).collect();
-    order.sort_unstable();
-    let mut open: Vec<Option<Candidate<'_>>> = candidates.into_iter().map(Some).collect();
-    order.into_iter().filter_map(|(_, was)| open.get_mut(was)?.take()).collect()
 }
 
 /// Smallest number of actuators in a part.

@@ -144,7 +144,7 @@ fn written(path: &str, text: &str, language: Language) -> String {
     if let Some(list) = list {
         let items = list.split(',').map(|item| item.trim().trim_matches(['"', '\'']).trim());
         let items: Vec<String> = items.filter(|item| !item.is_empty()).map(|item| list_item(item, language)).collect();
-        return items.join(if language.decimal_mark() == ',' { "; " } else { ", " });
+        return items.join(if items.iter().any(|item| item.contains(',')) { "; " } else { ", " });
     }
     if let Some(word) = key_word(name, text, language) {
         return word.into_owned();
@@ -298,5 +298,20 @@ mod tests {
             found.iter().flat_map(|table| &table.values).map(|each| (each.name.as_str(), each.text.as_str())).collect();
         let points = [("points[1]", "0°; 1 kgm²; 2 Nm"), ("points[2]", "90°; 1.5 kgm²; 0 Nm")];
         assert_eq!(rows, [("name", "b"), points[0], points[1]]);
+    }
+
+    /// Numbers and quantities of a list have the decimal mark of the language, and a separator that is told from it.
+    #[test]
+    fn lists_of_numbers_are_written_in_the_language() {
+        for (list, english, german) in [
+            ("[1.5, 2, 0.25]", "1.5, 2, 0.25", "1,5; 2; 0,25"),
+            ("[2, 3]", "2, 3", "2, 3"),
+            ("[\"0.5 kg\", '-1.25 kg']", "0.5 kg, \u{2212}1.25 kg", "0,5 kg; \u{2212}1,25 kg"),
+            ("['C1024', \"M512P\",]", "C1024, M512P", "C1024, M512P"),
+            ("[]", "", ""),
+        ] {
+            let of = |language| written("stage.ratios", list, language);
+            assert_eq!([of(Language::En), of(Language::De)], [english, german], "{list}");
+        }
     }
 }

@@ -270,20 +270,21 @@ fn what_to_write_for_a_foreign_run_is_said() {
         }
     };
     holds(
-        "time [s],position [deg],motor speed [rad/s],torque [Nm],i_q [A]\n0,0,0,0,0\n",
-        &[
-            "time_s for",
-            "position_rad for",
-            "times 0.0174533",
-            "motor_speed_rad_s for",
-            "torque_nm for",
-            "current_q_a for",
-        ],
+        "time,position,motor speed,torque,i_q\n0,0,0,0,0\n",
+        &["time_s for", "position_rad for", "motor_speed_rad_s for", "torque_nm for", "current_q_a for"],
     );
+    // Of two columns of a signal none is taken.
     holds(
-        "time_ms;position_deg;Motordrehzahl (1/min);torque_nm;current_q_a\n0;0;0;0;0\n",
-        &["time_ms", "times 0.001", "times 0.0174533", "times 0.10472"],
+        "time_ms;time 2 (ms);position_deg;pos 2 [deg];Motordrehzahl 1 (1/min);Motordrehzahl 2 (1/min)\n0;0;0;0;0;0\n",
+        &["time_ms", "times 0.001", "times 0.0174533", "times 0.10472", "torque_nm"],
     );
+    // One with its unit is.
+    for clear in [
+        "time [s],position [deg],motor speed [rad/s],torque [Nm],i_q [A]\n0,0,0,0,0\n",
+        "time_ms;position_deg;Motordrehzahl (1/min);torque_nm;current_q_a\n0;0;0;0;0\n",
+    ] {
+        holds(clear, &["too few samples"]);
+    }
     let head = "time_s;position_rad;motor_speed_rad_s;torque_nm;current_q_a\n";
     holds(&format!("Drive trace 14.03.2025\nsample time;1 ms\n\n{head}0;0;0;0;0\n"), &["line 4", "1 to 3"]);
     holds(

@@ -73,15 +73,14 @@ impl Names {
     }
 }
 
-/// Returns the only heading that names the signal of a column in words, with a unit in brackets, and the factor from this unit to
-/// that of the column: `Motordrehzahl [1/min]`. `None` if there is none, or more than one.
+/// Returns the only heading that names the signal of a column in words with a unit, and the factor from this unit to that of the
+/// column: `Motordrehzahl [1/min]`, `time_ms`. `None` if there is none, or more than one.
 pub(super) fn meant(column: &str, headings: &[String]) -> Option<(usize, f64)> {
     let names = NAMES.iter().find(|names| names.heading == column)?;
-    let mut found =
-        headings.iter().enumerate().filter(|(_, heading)| heading.contains(['[', '('])).filter_map(|(at, heading)| {
-            let (words, unit) = parted(heading, names.dimension);
-            Some((at, unit.filter(|_| names.are_in(&words))?.to_si(1.0)))
-        });
+    let mut found = headings.iter().enumerate().filter_map(|(at, heading)| {
+        let (words, unit) = parted(heading, names.dimension);
+        Some((at, unit.filter(|_| names.are_in(&words))?.to_si(1.0)))
+    });
     let only = found.next()?;
     found.next().is_none().then_some(only)
 }
