@@ -82,6 +82,10 @@ pub(crate) fn check(section: &RequirementsSection, has_line: bool, report: &mut 
         (&section.mains_phases, &section.mains),
         (&section.mains_deviation, &section.mains),
     ];
+    // Along a line the deviation is that of the travel: a lever arm would give another one.
+    if has_line && section.lever_arm.is_given() {
+        report.fault(section.lever_arm.span(), Fault::WithoutEffect { key: section.lever_arm.name() }, None);
+    }
     for (field, needs) in pairs {
         // Along a line the travel per angle takes the place of the lever arm.
         let is_known = has_line && needs.name() == section.lever_arm.name();

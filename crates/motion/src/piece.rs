@@ -165,6 +165,14 @@ impl Piece {
         roots(|t| self.jerk(t), self.duration_s)
     }
 
+    /// Returns the largest |α| of the piece [rad/s²]: at an end, or where the jerk changes sign.
+    #[must_use]
+    pub fn acceleration_peak_rad_s2(&self) -> f64 {
+        let state = self.states();
+        let instants = self.jerk_roots().into_iter().chain([0.0, self.duration_s]);
+        instants.map(|t| state(t).acceleration_rad_s2.abs()).fold(0.0, f64::max)
+    }
+
     /// Returns the times strictly inside the piece; those that differ from an end by rounding only are dropped.
     fn inside(&self, times: Vec<f64>) -> Vec<f64> {
         let beside = 1e-13 * self.duration_s;

@@ -168,14 +168,20 @@ pub(crate) fn mean_interval(time: &[f64]) -> f64 {
     sum / f64::from(count.max(1))
 }
 
+impl SteppedColumn {
+    /// Returns the order of the differences that show steps.
+    const fn order(self) -> usize {
+        match self {
+            Self::Position => 3,
+            Self::Speed => 2,
+        }
+    }
+}
+
 /// Returns the spurious acceleration caused by the steps of a column, if it is significant compared with that of the
 /// motion.
 pub(crate) fn made_up(time: &[f64], values: &[f64], column: SteppedColumn, window_s: Option<f64>) -> Option<MadeUp> {
-    let order = match column {
-        SteppedColumn::Position => 3,
-        SteppedColumn::Speed => 2,
-    };
-    let grid = rough_grid(time, values, order)?;
+    let grid = rough_grid(time, values, column.order())?;
     let step = grid.step;
     let rounded = Rounded { time, values, column, step: grid.error(), window_s };
     let motion = rounded.motion();
@@ -185,10 +191,10 @@ pub(crate) fn made_up(time: &[f64], values: &[f64], column: SteppedColumn, windo
     (acceleration > NOTABLE * motion).then(|| rounded.made_up((acceleration, interval_s), motion, cause))
 }
 
-/// Returns the spurious acceleration of the white noise of a column of evenly spaced samples, if it is significant compared with that of
-/// the motion.
+/// Returns the spurious acceleration of the white noise of a column, if it is significant compared with that of the motion.
 ///
-/// σ_α = σ/h² of positions, √2 σ/h of speeds; with a window W 8.5 σ/W² and 2.1 σ/W
+/// σ_α² = Σ c_i² σ² as mean over time, with the factors c_i of the samples in the acceleration between two of them: evenly spaced
+/// σ/h² of positions, √2 σ/h of speeds; with a window W 8.5 σ/W² and 2.1 σ/W
 pub(crate) fn made_up_by_noise(
     time: &[f64],
     values: &[f64],
@@ -196,19 +202,27 @@ pub(crate) fn made_up_by_noise(
     window_s: Option<f64>,
 ) -> Option<MadeUp> {
     let interval_s = median_interval(time);
-    // Differences are those of evenly spaced samples.
-    if intervals(time).any(|step| (step - interval_s).abs() > EVEN * interval_s) {
+    let is_even = !intervals(time).any(|step| (step - interval_s).abs() > EVEN * interval_s);
+    // The noise of rounded values is that of their steps, which [`made_up`] judges.
+    if !is_even && rough_grid(time, values, column.order()).is_some() {
         return None;
     }
-    let deviation = crate::white::deviation(values);
+    let deviation = if is_even { crate::white::deviation(values) } else { crate::white::deviation_at(time, values) };
     if deviation <= 0.0 {
         return None;
     }
     let rounded = Rounded { time, values, column, step: deviation * 12.0_f64.sqrt(), window_s };
-    let plain = match column {
-        SteppedColumn::Position => deviation / (interval_s * interval_s),
-        SteppedColumn::Speed => std::f64::consts::SQRT_2 * deviation / interval_s,
-    };
+    let plain = deviation
+        * match (column, is_even) {
+            (SteppedColumn::Position, true) => 1.0 / (interval_s * interval_s),
+            (SteppedColumn::Speed, true) => std::f64::consts::SQRT_2 / interval_s,
+            (SteppedColumn::Position, false) => mean_over_time(time.windows(4).filter_map(|near| {
+                let [t0, t1, t2, t3] = <[f64; 4]>::try_from(near).ok()?;
+                let factors = factors_of_positions(factors_of_differences([t1 - t0, t2 - t1, t3 - t2]));
+                Some((factors.iter().map(|factor| factor * factor).sum(), t2 - t1))
+            })),
+            (SteppedColumn::Speed, false) => mean_over_time(intervals(time).map(|step| (2.0 / (step * step), step))),
+        };
     let rms_rad_s2 = window_s.map_or(plain, |window| (0.25 * rounded.smoothed(window)).min(plain));
     let motion = rounded.motion();
     let largest = LARGEST * rms_rad_s2;
@@ -219,6 +233,24 @@ pub(crate) fn made_up_by_noise(
             smoothing_s,
         })
     })
+}
+
+/// Returns the root of the mean of squares over their times.
+fn mean_over_time(squares: impl Iterator<Item = (f64, f64)>) -> f64 {
+    let (sum, whole) = squares.fold((0.0, 0.0), |(sum, whole), (square, step)| (sum + square * step, whole + step));
+    if whole > 0.0 { (sum / whole).sqrt() } else { 0.0 }
+}
+
+/// Returns the factors of the differences y_0 − y_1, y_2 − y_1 and y_3 − y_2 of four positions in the acceleration between the
+/// middle two, (ω_2 − ω_1)/b with the slopes of the parabolas through three rows, by the three time steps a, b, c.
+fn factors_of_differences([a, b, c]: [f64; 3]) -> [f64; 3] {
+    let (first, last) = (1.0 / (a * (a + b)), 1.0 / (c * (b + c)));
+    [first, (c / (b + c) - a / (a + b)) / (b * b), last]
+}
+
+/// Returns the factors of the four positions.
+fn factors_of_positions([first, turned, last]: [f64; 3]) -> [f64; 4] {
+    [first, -turned - first, turned - last, last]
 }
 
 /// Largest deviation of a time step from the usual one of evenly spaced samples, relative to it.
@@ -297,14 +329,11 @@ impl Rounded<'_> {
             SteppedColumn::Position => {
                 for (time, values) in self.time.windows(4).zip(self.values.windows(4)) {
                     let ([t0, t1, t2, t3], [y0, y1, y2, y3]) = (time, values) else { continue };
-                    let (a, b, c) = (t1 - t0, t2 - t1, t3 - t2);
-                    // (ω_2 − ω_1)/b with the slopes of the parabolas through three rows, by the four positions.
-                    let (first, last) = (1.0 / (a * (a + b)), 1.0 / (c * (b + c)));
-                    let turned = (c / (b + c) - a / (a + b)) / (b * b);
-                    let (before, behind) = (-turned - first, turned - last);
-                    let sum = first.abs() + before.abs() + behind.abs() + last.abs();
+                    let differences = factors_of_differences([t1 - t0, t2 - t1, t3 - t2]);
+                    let [first, turned, last] = differences;
+                    let sum = factors_of_positions(differences).iter().map(|factor| factor.abs()).sum::<f64>();
                     let found = first * (y0 - y1) + turned * (y2 - y1) + last * (y3 - y2);
-                    see(0.5 * self.step * sum, found, b);
+                    see(0.5 * self.step * sum, found, t2 - t1);
                 }
             }
         }

@@ -24,19 +24,51 @@ const OF_MEDIAN: f64 = 1.482_602_218_505_602;
 /// # Valid
 /// where the third, the fourth and the fifth difference give the same σ to 30 %
 pub(crate) fn deviation(values: &[f64]) -> f64 {
-    if values.len() < SAMPLES_LEAST {
-        return 0.0;
-    }
-    let weights: [&[f64]; 3] =
-        [&[1.0, -3.0, 3.0, -1.0], &[1.0, -4.0, 6.0, -4.0, 1.0], &[1.0, -5.0, 10.0, -10.0, 5.0, -1.0]];
     let of = |weights: &[f64]| {
         let norm = weights.iter().map(|weight| weight * weight).sum::<f64>().sqrt();
         let sizes = values
             .windows(weights.len())
-            .map(|near| near.iter().zip(weights).map(|(value, weight)| value * weight).sum::<f64>().abs());
-        OF_MEDIAN * upper_median(sizes).unwrap_or(0.0) / norm
+            .map(|near| near.iter().zip(weights).map(|(value, weight)| value * weight).sum::<f64>().abs() / norm);
+        OF_MEDIAN * upper_median(sizes).unwrap_or(0.0)
     };
-    let [third, fourth, fifth] = weights.map(of);
+    common(
+        values,
+        [of(&[1.0, -3.0, 3.0, -1.0]), of(&[1.0, -4.0, 6.0, -4.0, 1.0]), of(&[1.0, -5.0, 10.0, -10.0, 5.0, -1.0])],
+    )
+}
+
+/// Returns the standard deviation of the white noise of values at any instants; zero if there is none that stands out from the motion.
+///
+/// σ = 1.48 median |Σ w_i y_i| / √(Σ w_i²), w_i = Π_{j ≠ i} 1/(t_i − t_j)
+///
+/// # Symbols
+/// w weights of the divided difference of the order k over k + 1 samples, which is zero for polynomials of lower degree
+/// # Valid
+/// as [`deviation`], whose differences these are where the samples are evenly spaced
+pub(crate) fn deviation_at(time: &[f64], values: &[f64]) -> f64 {
+    /// Returns |Σ w_i y_i| / √(Σ w_i²) of a window.
+    fn size(time: &[f64], values: &[f64]) -> f64 {
+        let weight = |at: usize, own: f64| {
+            let others = time.iter().enumerate().filter(|(other, _)| *other != at);
+            others.map(|(_, other)| own - other).product::<f64>().recip()
+        };
+        let (sum, square) =
+            time.iter().zip(values).enumerate().fold((0.0, 0.0), |(sum, square), (at, (own, value))| {
+                let weight = weight(at, *own);
+                (sum + weight * value, square + weight * weight)
+            });
+        f64::abs(sum) / f64::sqrt(square)
+    }
+    let sizes =
+        |samples: usize| time.windows(samples).zip(values.windows(samples)).map(|(time, values)| size(time, values));
+    common(values, [4, 5, 6].map(|samples| OF_MEDIAN * upper_median(sizes(samples)).unwrap_or(0.0)))
+}
+
+/// Returns the deviation by the fourth differences if those by the third and the fifth are alike.
+fn common(values: &[f64], [third, fourth, fifth]: [f64; 3]) -> f64 {
+    if values.len() < SAMPLES_LEAST {
+        return 0.0;
+    }
     let are_alike = |one: f64, other: f64| one <= ALIKE * other && other <= ALIKE * one;
     let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     if fourth > ROUNDED * largest && are_alike(third, fourth) && are_alike(fourth, fifth) { fourth } else { 0.0 }

@@ -76,6 +76,67 @@ fn the_effect_of_noise_is_zero_or_stated() {
     assert!(stated > 20, "{stated}");
 }
 
+/// Noise is stated with its size also where rows are lost, stamps scatter or the instants are random; what a lost row changes in it is
+/// small.
+#[test]
+fn noise_is_found_at_uneven_instants_too() {
+    let (h, share) = (2e-3, 1e-3);
+    let even: Vec<f64> = (0_u32..).map(|k| f64::from(k) * h).take_while(|t| *t <= 3.4).collect();
+    let mut random = Noise(5);
+    let lost = |every: usize| -> Vec<f64> {
+        even.iter().enumerate().filter(|(at, _)| *at % every != every - 1).map(|(_, t)| *t).collect()
+    };
+    let scattered: Vec<f64> =
+        even.iter().enumerate().map(|(at, t)| if at == 0 { 0.0 } else { t + 2e-5 * random.normal() }).collect();
+    for (what, time) in
+        [("one lost", lost(1500)), ("a tenth lost", lost(10)), ("half lost", lost(2)), ("scattered", scattered)]
+    {
+        for has_speed in [true, false] {
+            let mut noise = Noise(7919);
+            let mut with = |of: fn((f64, f64)) -> f64, scale: f64| -> Vec<f64> {
+                time.iter().map(|t| of(motion(*t)) + scale * share * noise.normal()).collect()
+            };
+            let samples = match has_speed {
+                true => Samples { speed_rad_s: Some(Arc::new(with(|(_, speed)| speed, SPEED))), ..Samples::default() },
+                false => {
+                    Samples { position_rad: Some(Arc::new(with(|(position, _)| position, 1.5))), ..Samples::default() }
+                }
+            };
+            let samples = Samples { time_s: Arc::new(time.clone()), ..samples };
+            let found = Recorded::new(samples, Treatment::default()).unwrap();
+            let Some(MadeUp { cause: Spurious::Noise { deviation, rms_rad_s2, .. }, .. }) = found.made_up() else {
+                panic!("{what} {has_speed}: {:?}", found.made_up());
+            };
+            let planted = share * if has_speed { SPEED } else { 1.5 };
+            assert!((deviation / planted - 1.0).abs() < 0.15, "{what} {has_speed}: {deviation} for {planted}");
+            assert!(rms_rad_s2 > 0.0, "{what} {has_speed}");
+        }
+    }
+}
+
+/// At evenly spaced instants the divided differences are the differences; at random ones they give the planted deviation of noise on a
+/// polynomial, and none without noise.
+#[test]
+fn divided_differences_are_those_of_evenly_spaced_values() {
+    let mut noise = Noise(11);
+    let time: Vec<f64> = (0_u32..2000).map(|k| 0.5 * f64::from(k)).collect();
+    let values: Vec<f64> = time.iter().map(|t| 1e-3 * t * t + 0.3 * noise.normal()).collect();
+    let (even, any) = (deviation(&values), deviation_at(&time, &values));
+    assert!((even / any - 1.0).abs() < 1e-9 && (even / 0.3 - 1.0).abs() < 0.1, "{even} {any}");
+    let mut now = 0.0;
+    let time: Vec<f64> = std::iter::repeat_with(|| {
+        now += 0.2 + noise.normal().abs();
+        now
+    })
+    .take(2000)
+    .collect();
+    let smooth = |t: f64| (t / 40.0).sin();
+    let values: Vec<f64> = time.iter().map(|t| smooth(*t) + 0.05 * noise.normal()).collect();
+    assert!((deviation_at(&time, &values) / 0.05 - 1.0).abs() < 0.1);
+    let values: Vec<f64> = time.iter().map(|t| smooth(*t)).collect();
+    assert_eq!(deviation_at(&time, &values), 0.0);
+}
+
 /// A motion without noise, however coarsely it is sampled, shows none.
 #[test]
 fn a_motion_without_noise_shows_none() {

@@ -175,6 +175,8 @@ struct AngularErrors {
     worst: Angle,
     /// Lever arm of the deviation: that of the project; along the line of a mechanism its travel per angle.
     lever: Option<Length>,
+    /// The mechanism moves along a line, whose travel per angle takes the place of the lever arm.
+    is_along_the_line: bool,
 }
 
 impl AngularErrors {
@@ -210,7 +212,8 @@ impl AngularErrors {
             let travel = axis.mechanism.travel_m_per_rad().filter(|_| axis.asked.deviation_max.is_some())?;
             Some(Length::from_si(travel * axis.mechanism.stage_ratio()))
         };
-        Ok(Self { budget, worst, lever: axis.asked.lever_arm.or_else(of_the_line) })
+        let lever = axis.asked.lever_arm;
+        Ok(Self { budget, worst, lever: lever.or_else(of_the_line), is_along_the_line: lever.is_none() })
     }
 
     fn deviation(&self) -> Option<Length> {
@@ -221,7 +224,11 @@ impl AngularErrors {
     fn of_check(self, mut check: Check) -> Check {
         check.grade = Some(self.budget.grade());
         let deviation = self.deviation();
-        check.notes.push(Note::Budget(Box::new(Budget { errors: self.budget, deviation })));
+        check.notes.push(Note::Budget(Box::new(Budget {
+            errors: self.budget,
+            deviation,
+            is_along_the_line: self.is_along_the_line,
+        })));
         check
     }
 }

@@ -252,6 +252,8 @@ pub struct ResonanceSpeeds {
 /// Angular errors behind the sum of their check.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Budget {
+    /// The deviation is that along the line of the mechanism, not at a lever arm.
+    pub is_along_the_line: bool,
     /// Contributions, known and unknown.
     pub errors: ErrorBudget,
     /// Worst case at the lever arm.

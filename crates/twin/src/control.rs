@@ -7,6 +7,10 @@ pub(crate) const SPEED_EVERY: u64 = 4;
 
 /// Periods of the current loop per period of the position loop.
 pub const POSITION_EVERY: u64 = 8;
+
+/// Period of the position loop \[s\].
+#[allow(clippy::cast_precision_loss, reason = "eight")]
+pub(crate) const POSITION_PERIOD_S: f64 = POSITION_EVERY as f64 / CURRENT_RATE_HZ;
 /// Rate of the current loop \[Hz\]; speed and position loop run at 4 kHz and 2 kHz.
 pub const CURRENT_RATE_HZ: f64 = 16_000.0;
 

@@ -1,7 +1,7 @@
 //! Setpoints from the motion of the project, repeated over the cycles.
 
 use crate::scenario::Part;
-use motion::{Hold, Motion};
+use motion::{Hold, Motion, Piece};
 use quantities::Measure;
 
 /// Setpoint of the axis.
@@ -107,6 +107,15 @@ impl<'a> Course<'a> {
             let state = piece.at((time - piece.start_s).clamp(0.0, piece.duration_s));
             [state.position_rad, state.speed_rad_s, state.acceleration_rad_s2]
         })
+    }
+
+    /// Returns the largest |α| of the motion, whatever its laws and recordings [rad/s²].
+    pub(crate) fn steepest_rad_s2(&self) -> f64 {
+        let laws = self.motion.pieces().iter().map(Piece::acceleration_peak_rad_s2);
+        let recorded = self.motion.recordings().iter().flat_map(|placed| {
+            (0..placed.intervals()).filter_map(|index| Some(placed.interval(index)?.acceleration_rad_s2().abs()))
+        });
+        laws.chain(recorded).fold(0.0, f64::max)
     }
 
     /// Returns the instant of the highest speed in the first cycle, or in the part \[s\].

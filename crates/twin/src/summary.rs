@@ -50,7 +50,7 @@ pub struct Summary {
     pub brake_closings: [u32; 2],
     /// Time from the event of the scenario until the axis is at rest \[s\]; `None` if it does not stop.
     pub stop_s: Option<f64>,
-    /// Path from the event until the axis is at rest \[rad\].
+    /// Largest distance from the place of the event until the axis is at rest \[rad\].
     pub stop_rad: Option<f64>,
 }
 
@@ -165,18 +165,15 @@ impl Gathered {
         if !happened {
             return false;
         }
-        let (_, last) = *self.stop_from.get_or_insert((time, position));
+        let (since, place) = *self.stop_from.get_or_insert((time, position));
         if self.stop.is_none() {
-            self.stop_way += (position - last).abs();
+            self.stop_way = self.stop_way.max((position - place).abs());
         }
-        if let Some((since, place)) = &mut self.stop_from {
-            *place = position;
-            // The first instant of rest counts, unless the axis moves again.
-            if rests && self.stop.is_none() && time > *since + 0.01 {
-                self.stop = Some((time - *since, self.stop_way));
-            } else if !rests && self.stop.is_some() {
-                self.stop = None;
-            }
+        // The first instant of rest counts, unless the axis moves again.
+        if rests && self.stop.is_none() && time > since + 0.01 {
+            self.stop = Some((time - since, self.stop_way));
+        } else if !rests && self.stop.is_some() {
+            self.stop = None;
         }
         self.stop.is_some()
     }

@@ -7,7 +7,9 @@ mod sample;
 mod start;
 mod supervision;
 
-use crate::control::{Bounds, CURRENT_RATE_HZ, Control, Demand, Gains, Measured, POSITION_EVERY, SPEED_EVERY};
+use crate::control::{
+    Bounds, CURRENT_RATE_HZ, Control, Demand, Gains, Measured, POSITION_EVERY, POSITION_PERIOD_S, SPEED_EVERY,
+};
 use crate::drive::{BrakeState, Limits, Phase};
 use crate::gear::Anchor;
 use crate::link::{Link, LinkModel};
@@ -260,13 +262,13 @@ impl<'a> Twin<'a> {
             brake_ohm: model.brake_resistor.value.max(1e-3),
             chopper_v: chopper,
         };
-        let fastest = setup.motion.pieces().iter().map(|piece| piece.polynomial[0].abs()).fold(0.0, f64::max);
+        let steepest = course.steepest_rad_s2();
         let torque_ramp =
             plant.torque_constant * SQRT_2 * machine.current_max_a / (plant.inertia_kgm2 + local.inertia_kgm2) / 2.0;
         let limits = setup.limits.unwrap_or(Limits {
             following_rad: None,
             link_v: [0.7 * least_v, start::link_most(&setup)],
-            ramp_rad_s2: if fastest > 0.0 { fastest.min(torque_ramp) } else { torque_ramp },
+            ramp_rad_s2: if steepest > 0.0 { steepest.min(torque_ramp) } else { torque_ramp },
             reaction: setup.scenario.reaction,
         });
         let after = match scenario {
@@ -445,7 +447,12 @@ impl<'a> Twin<'a> {
                 }
                 Phase::Commanded(Demand::Position(wanted)) => self.point.state = wanted,
                 Phase::Commanded(Demand::Speed(wanted)) => self.point.state = [self.state.x.load_rad, wanted, 0.0],
-                Phase::Ramp(_) | Phase::Holding(_) | Phase::Off => self.point.state = [position, 0.0, 0.0],
+                // The setpoint of the stop goes on along the ramp.
+                Phase::Ramp(speed) => {
+                    let way = speed * POSITION_PERIOD_S;
+                    self.point.state = [position + way, speed, -self.limits.ramp_rad_s2.copysign(speed)];
+                }
+                Phase::Holding(_) | Phase::Off => self.point.state = [position, 0.0, 0.0],
             }
         }
         if self.encoder.failing.is_some() {

@@ -140,8 +140,8 @@ texts! {
         "Estimate load, friction and torque constant from a recorded run"
         | "Last, Reibung und Drehmomentkonstante aus einem aufgezeichneten Lauf schätzen";
     identify_trace =
-        "Recorded run (.csv or .parquet) with the columns of a trace file; its position is the angle of the mechanism, from the same zero"
-        | "Aufgezeichneter Lauf (.csv oder .parquet) mit den Spalten einer Verlaufsdatei; die Position darin ist der Winkel der Mechanik, vom selben Nullpunkt gezählt";
+        "Recorded run (.csv or .parquet) with the columns of a trace file; its position is the angle of the mechanism, times the ratio of a stage, from the same zero"
+        | "Aufgezeichneter Lauf (.csv oder .parquet) mit den Spalten einer Verlaufsdatei; die Position darin ist der Winkel der Mechanik, mal der Übersetzung einer Zwischenstufe, vom selben Nullpunkt gezählt";
     simulate_figure =
         "Picture: the trace, or the frequency responses of the control loops (simulation)"
         | "Bild: der Verlauf oder die Frequenzgänge der Regelkreise (simulation)";

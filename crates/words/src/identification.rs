@@ -99,8 +99,8 @@ texts! {
         "column \"{heading}\" is taken as {column}, {signal}, and converted from its unit"
         | "Spalte „{heading}“ wird als {column} gelesen, {signal}, und aus ihrer Einheit umgerechnet";
     signal_time = "the time" | "die Zeit";
-    signal_position = "the angle of the mechanism" | "der Winkel der Mechanik";
-    signal_speed = "the speed of the mechanism" | "die Drehzahl der Mechanik";
+    signal_position = "the angle of the mechanism, times the ratio of a stage" | "der Winkel der Mechanik, mal der Übersetzung einer Zwischenstufe";
+    signal_speed = "the speed of the load at the output of the actuator" | "die Drehzahl der Last am Abtrieb des Antriebs";
     signal_motor_speed =
         "the speed of the motor divided by the ratio" | "die Motordrehzahl geteilt durch die Untersetzung";
     signal_torque = "the torque through the gear at the output" | "das Drehmoment durch das Getriebe am Abtrieb";

@@ -379,11 +379,14 @@ pub fn note_text(note: &Note, language: Language) -> String {
             )
         }
         Note::Budget(budget) => {
-            let Budget { errors, deviation } = &**budget;
+            let Budget { errors, deviation, is_along_the_line } = &**budget;
             let root = with_unit(errors.root_sum_square().si(), &ARCMINUTE, 3, language);
             let at_lever = deviation.map_or_else(String::new, |deviation| {
                 let deviation = with_unit(deviation.si(), &MILLIMETRE, 3, language);
-                said!(language => ", {deviation} at the lever arm" | ", {deviation} am Hebelarm")
+                match is_along_the_line {
+                    true => said!(language => ", {deviation} along the line" | ", {deviation} längs der Führung"),
+                    false => said!(language => ", {deviation} at the lever arm" | ", {deviation} am Hebelarm"),
+                }
             });
             let open = match errors.missing.len() {
                 0 => String::new(),

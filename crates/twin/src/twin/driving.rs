@@ -1,7 +1,7 @@
 //! The drive in motion: brake, scenario, states.
 
 use super::{PERIOD_S, SAG, Twin};
-use crate::control::Control;
+use crate::control::{Control, POSITION_PERIOD_S};
 use crate::drive::Phase;
 use crate::plant::Stop;
 use crate::scenario::{EventKind, Reaction, ScenarioId};
@@ -47,7 +47,7 @@ impl Twin<'_> {
                 }
             }
             Phase::Ramp(speed) => {
-                let least = self.limits.ramp_rad_s2 * PERIOD_S * 8.0;
+                let least = self.limits.ramp_rad_s2 * POSITION_PERIOD_S;
                 let next = if speed.abs() <= least { 0.0 } else { speed - least.copysign(speed) };
                 let stands = next == 0.0 && self.control.speed.abs() < 5e-3 * self.machine.speed_max;
                 self.phase = if stands { Phase::Holding(time) } else { Phase::Ramp(next) };

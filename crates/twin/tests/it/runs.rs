@@ -3,7 +3,8 @@
 use super::{NOTHING, encoder, load, one_move, parameters, replaced};
 use feedback::{Failure, Finding};
 use mechanism::{Friction, Mechanism};
-use quantities::{Measure, Torque};
+use motion::{Closing, Given, Law, Motion, SegmentSpec};
+use quantities::{Measure, Time, Torque};
 use twin::{EventKind, Fault, LoopResponse, Part, Reaction, Scenario, ScenarioId, Setup, Switches, Twin, settled};
 
 const CODE: &str = "CHA-17A-80-H-M128S-B";
@@ -383,5 +384,54 @@ fn a_part_runs_as_the_whole_does_there() {
     for (from_s, for_s) in [(-0.1, 0.2), (0.0, 99.0), (0.5, 0.0), (f64::NAN, 1.0), (99.0, 0.1)] {
         let part = Some(Part { from_s, for_s });
         assert_eq!(Twin::new(&Setup { part, ..whole }).err(), Some(Fault::OutOfRange("part")), "{from_s} {for_s}");
+    }
+}
+
+/// The drive brakes with the largest acceleration of the motion, by whatever law, if the largest current permits it; the set-point of
+/// the stop follows this ramp, and the stopping angle is the largest distance from the place of the event.
+#[test]
+fn a_stop_has_the_steepest_ramp_of_the_motion_and_its_angle_is_an_excursion() {
+    let parameters = parameters("CHA-25A-50-H-C1024");
+    let (mechanism, extras) = (load(0.3, 1.0), NOTHING());
+    for law in Law::ALL.iter().copied().filter(|law| *law != Law::Constant) {
+        for slow in [1.0, 3.0] {
+            let of = |distance: f64, time: f64| {
+                let distance = Some(quantities::Angle::from_si(distance));
+                SegmentSpec::Move(law, Given { distance, time: Some(Time::from_si(time)), ..Given::default() })
+            };
+            let Ok(motion) = Motion::new(&[of(1.6, 0.8), of(-1.6, 0.8 * slow)], None, Closing::Position) else {
+                continue;
+            };
+            let steepest = (0..40_000)
+                .filter_map(|k| {
+                    let time = f64::from(k) * 1e-4;
+                    let piece = motion.pieces().iter().rev().find(|piece| piece.start_s <= time)?;
+                    (time - piece.start_s < piece.duration_s)
+                        .then(|| piece.at(time - piece.start_s).acceleration_rad_s2.abs())
+                })
+                .fold(0.0, f64::max);
+            let scenario = Scenario { id: ScenarioId::EmergencyStop, at_s: Some(0.4), ..Scenario::default() };
+            let setup = Setup { scenario, ..Setup::of(&parameters, &mechanism, &motion, &extras) };
+            let mut twin = Twin::new(&setup).unwrap();
+            let ramp = twin.limits().ramp_rad_s2;
+            assert!((ramp / steepest - 1.0).abs() < 1e-3, "{law:?} {slow}: {ramp} for {steepest}");
+            let (mut place, mut farthest, mut ramped) = (None, 0.0_f64, 0);
+            while twin.summary().stop_s.is_none() && twin.sample().time_s < 3.0 {
+                twin.advance(8);
+                let sample = twin.sample();
+                if twin.events().iter().any(|event| event.kind == EventKind::Ramp) {
+                    let from = *place.get_or_insert(sample.position_rad);
+                    farthest = farthest.max((sample.position_rad - from).abs());
+                    ramped += u32::from(sample.wanted_rad_s.abs() > 1e-3);
+                }
+            }
+            let summary = twin.summary();
+            assert!(
+                (summary.stop_rad.unwrap() - farthest).abs() < 2e-3,
+                "{law:?}: {:?} for {farthest}",
+                summary.stop_rad
+            );
+            assert!(ramped > 10, "{law:?}: the set-point of the stop has a speed");
+        }
     }
 }

@@ -201,7 +201,11 @@ fn notes() {
         Note::RopeSlack(Box::new(sizing::RopeSlack { times: vec![(mechanism::Rope::Load, q(0.1), q(0.2)); 6] })),
         Note::ResonanceSpeeds(Box::new(ResonanceSpeeds { blocked: speeds, free: Some(speeds) })),
         Note::FreeRotor(q(10.0)),
-        Note::Budget(Box::new(Budget { errors: actuator::ErrorBudget::default(), deviation: Some(q(1e-4)) })),
+        Note::Budget(Box::new(Budget {
+            errors: actuator::ErrorBudget::default(),
+            deviation: Some(q(1e-4)),
+            is_along_the_line: true,
+        })),
         Note::Erratum(catalogue::errata().first().map_or("", |erratum| erratum.id)),
     ];
     for note in &all {
