@@ -70,6 +70,9 @@ fn changed_inputs(inputs: &[InputChange], language: Language) -> String {
 }
 
 fn demand(found: &Difference<'_>, language: Language) -> String {
+    if found.demand.iter().all(|row| row.values.iter().all(Option::is_none)) {
+        return format!("{}\n\n", terminal::demand_not_known(language));
+    }
     let rows: Vec<_> = found.demand.iter().filter(|row| !row.is_same()).collect();
     if rows.is_empty() {
         return format!("{}\n\n", terminal::same_demand(language));

@@ -164,6 +164,7 @@ pub struct Axis {
     pub(crate) moments: Moments,
     pub(crate) trace: Trace,
     pub(crate) held: OnceLock<Vec<Held>>,
+    pub(crate) least_peak: OnceLock<(Torque, Time)>,
     /// J_L and T_L if the manual's equations describe the load.
     pub(crate) plain: Option<(MomentOfInertia, Torque)>,
     /// Loads on the flange that were computed for earlier bearings.
@@ -231,6 +232,7 @@ impl Axis {
             swing_ranges: OnceLock::new(),
             rope_course: OnceLock::new(),
             held: OnceLock::new(),
+            least_peak: OnceLock::new(),
         }
     }
 

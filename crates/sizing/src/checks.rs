@@ -10,9 +10,9 @@ use crate::workings::{self, Extreme};
 use actuator::{Drivetrain, Parameters};
 use derivation::{Finding, Workings};
 use numeric::{at_least, at_most};
-use provenance::{Grade, Missing, Source};
-use quantities::Measure;
+use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{DEGREE_CELSIUS, KILOGRAM_SQUARE_METRE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
+use quantities::{Measure, Torque};
 
 /// Returns the errata of the own inertia, which is part of every torque.
 pub(crate) fn inertia_errata(actuator: &Parameters) -> &'static [&'static str] {
@@ -40,7 +40,7 @@ pub(crate) fn peak_torque(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, demand, manual, .. } = *case;
     let id = CheckId::PeakTorque;
     let limit = actuator.torque_max.require("T_max")?;
-    let demand = demand.ok_or(Missing { symbol: "J_out" })?;
+    let Some(demand) = demand else { return least_peak_torque(axis, limit, work) };
     let value_source = demand_source(manual, "69.1");
     let mut notes = braking_note(manual);
     cite(&mut notes, inertia_errata(actuator));
@@ -63,6 +63,26 @@ pub(crate) fn peak_torque(case: &Case<'_>, work: &mut Workings) -> Outcome {
         at: Some(demand.torque_peak_at),
         notes,
         ..Comparison::with(id, &NEWTON_METRE, demand.torque_peak.si(), value_source, limit)
+    }
+    .answer(Verdict::Fail))
+}
+
+/// Checks the least peak torque of an actuator without a known J_out: one that T_max does not permit fails whatever J_out is; below
+/// it nothing is known.
+fn least_peak_torque(axis: &Axis, limit: &Sourced<Torque>, work: &mut Workings) -> Outcome {
+    let (least, at) = axis.least_peak();
+    if at_most(least.si(), limit.value.si()) {
+        return Err(Missing { symbol: "J_out" });
+    }
+    let source = Source::Model { name: "demand" };
+    work.figure("T_peak", &NEWTON_METRE, least.si(), &source, Grade::Computed);
+    work.value("T_peak");
+    work.given("T_max", &NEWTON_METRE, limit);
+    work.limit("T_max");
+    Ok(Comparison {
+        at: Some(at),
+        notes: Note::WithAnyInertia.into(),
+        ..Comparison::with(CheckId::PeakTorque, &NEWTON_METRE, least.si(), source, limit)
     }
     .answer(Verdict::Fail))
 }

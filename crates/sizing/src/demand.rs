@@ -107,6 +107,46 @@ impl Axis {
         }
     }
 
+    /// Returns the peak torque that is reached with every moment of inertia of an actuator, and its instant: a lower bound where
+    /// J_out is unknown.
+    ///
+    /// min over J ≥ 0 of max |J α + T_L|, which is convex in J
+    pub(crate) fn least_peak(&self) -> (Torque, Time) {
+        /// Doublings of the upper end, from a millionth of the inertia of the load on.
+        const DOUBLINGS: u32 = 60;
+        /// Steps of the search, each of which shortens the interval to 0.62 of it.
+        const STEPS: u32 = 60;
+        /// Share by which the least value found may lie above the true one.
+        const SURE: f64 = 1e-6;
+        let of = |inertia: f64| {
+            let (peak, at) = self.trace.largest(&TorqueWith { inertia_kgm2: inertia });
+            (peak, at.time_s)
+        };
+        *self.least_peak.get_or_init(|| {
+            let without = of(0.0);
+            let mut high = 1e-6;
+            let mut doublings = 0;
+            while of(high).0 <= without.0 && doublings < DOUBLINGS {
+                high *= 2.0;
+                doublings += 1;
+            }
+            let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+            let (mut low, mut best) = (0.0, without);
+            let inner = |low: f64, high: f64| [high - golden * (high - low), low + golden * (high - low)];
+            for _ in 0..STEPS {
+                let [one, other] = inner(low, high);
+                let [at_one, at_other] = [of(one), of(other)];
+                for found in [at_one, at_other] {
+                    if found.0 < best.0 {
+                        best = found;
+                    }
+                }
+                if at_one.0 <= at_other.0 { high = other } else { low = one }
+            }
+            (Torque::from_si(best.0 * (1.0 - SURE)), Time::from_si(best.1))
+        })
+    }
+
     /// Computes the demand by the manual's procedure; `None` if its equations do not describe the axis.
     ///
     /// T_1 = T_L + (2π/60) (J_out + J_L) n_2 / t_1, T_2 = T_L, T_3 = T_L − (T_1 − T_L),

@@ -205,6 +205,8 @@ pub enum Note {
     },
     /// The field of application needs a risk assessment and the manufacturer's approval (section 2.4).
     ApprovalNeeded,
+    /// The value is reached with every J_out, which is not known: the true one is at least as large.
+    WithAnyInertia,
     /// No speed of the cycle is held constant.
     NoSpeedHeld,
     /// Output speeds at which the wave generator excites the load.

@@ -333,6 +333,10 @@ pub fn note_text(note: &Note, language: Language) -> String {
                 | "bei Spitzendrehzahl sind {count} Kollisionen dieser Dauer zulässig"
             )
         }
+        Note::WithAnyInertia => said!(language =>
+            "J_out of the actuator is not known: this torque is reached with every J_out"
+            | "J_out des Antriebs ist nicht bekannt: dieses Drehmoment wird mit jedem J_out erreicht"
+        ),
         Note::NoSpeedHeld => said!(language =>
             "no speed of the cycle is constant: passing through a resonance is permitted"
             | "der Zyklus enthält keine konstante Drehzahl; das Durchfahren einer Resonanz ist zulässig"

@@ -53,6 +53,9 @@ texts! {
     input = "input" | "Eingabe";
     before = "before" | "vorher";
     after = "after" | "nachher";
+    demand_not_known =
+        "demand not known: data of the actuator are missing"
+        | "Belastung nicht bekannt: Angaben zum Antrieb fehlen";
     same_demand = "demand unchanged" | "Belastung unverändert";
     change = "change" | "Änderung";
     unchanged = "unchanged" | "unverändert";

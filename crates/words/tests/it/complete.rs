@@ -196,6 +196,7 @@ fn notes() {
         Note::ReferenceLost { turns: x(4096.0) },
         Note::NeedsReferencing,
         Note::NoSpeedHeld,
+        Note::WithAnyInertia,
         Note::BatteryExchange { recommended: q(1e8), latest: q(2e8) },
         Note::ApprovalNeeded,
         Note::RopeSlack(Box::new(sizing::RopeSlack { times: vec![(mechanism::Rope::Load, q(0.1), q(0.2)); 6] })),

@@ -4,6 +4,7 @@
 
 mod at_rest;
 mod invariance;
+mod least_peak;
 mod life;
 mod limits;
 mod requirements_apart;
