@@ -4,7 +4,7 @@ use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::chapter;
 use crate::command::effects;
-use crate::command::own::VARY;
+use crate::command::own::{BESIDE, VARY};
 use crate::layout::Layout;
 use crate::save::not_to_stdout;
 use crate::sweep;
@@ -75,8 +75,8 @@ pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) ->
     }
     let call = Call::read(entry, found, as_json, language)?;
     let inquiry = call.inquiry(entry)?;
-    // Rows that the call states are no argument of the question.
-    let has_own_rows = !call.texts(VARY).is_empty();
+    // Rows and further actuators that the call states are no arguments of the question.
+    let has_own_rows = [VARY, BESIDE].iter().any(|option| !call.texts(option).is_empty());
     let is_record = as_json && entry.answer.is_some() && entry.gives.is_record() && !call.writes() && !has_own_rows;
     let shown = match Layout::of(entry) {
         Some(layout) if !is_record => (layout.show)(&call, &inquiry)?,

@@ -4,10 +4,11 @@ use crate::answer::CommandAnswer;
 use clap::builder::{PossibleValuesParser, Styles};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use quantities::Language;
+use questions::CheckId;
 use questions::list::{Entry, LIST, Unanswered};
 use std::ffi::OsString;
 use words::help::values;
-use words::{Usage, Word, help, usage_text};
+use words::{Usage, Word, help, terminal, usage_text};
 
 pub(crate) use folder::text_of_kind;
 
@@ -28,6 +29,7 @@ pub(crate) mod own;
 pub(crate) mod parsed;
 mod proposed;
 mod question;
+mod ratio;
 pub(crate) mod remedy;
 pub(crate) mod replaced;
 mod solid;
@@ -280,6 +282,21 @@ pub(crate) fn completions(matches: &ArgMatches, language: Language) -> CommandAn
         clap_complete::generate(shell, &mut command, NAME, &mut out);
     }
     CommandAnswer::data(String::from_utf8_lossy(&out).into_owned())
+}
+
+/// Returns help on the check that a call of `help` names.
+pub(crate) fn help_on_check(matches: &ArgMatches, language: Language) -> CommandAnswer {
+    let words: Vec<String> = matches.get_many::<String>("command").into_iter().flatten().cloned().collect();
+    let check =
+        |entry: &Entry| entry.arguments.iter().find(|argument| argument.name == "check")?.word(&words.join(" "));
+    let check_of = |id: &str| CheckId::ALL.iter().copied().find(|check| check.id() == id);
+    let found = LIST.iter().copied().filter(|entry| entry.command == "explain").find_map(check);
+    let Some(id) = found.and_then(check_of) else { return CommandAnswer::none() };
+    let own = folder::projects_in(std::path::Path::new(""));
+    let project = own.first().and_then(|path| path.to_str()).unwrap_or("axis.toml");
+    let call = typed::typed([NAME, "explain", project, "--check", id.id()]);
+    let text = terminal::help_on_check(&words::check_title(id, language), &id.id(), language);
+    CommandAnswer::data(format!("{text}\n  {call}\n"))
 }
 
 /// Returns a manual page.

@@ -4,6 +4,7 @@ use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::table::{Align, TextTable, paragraph};
 use axis::AxisProject;
+use order_code::OrderCode;
 use quantities::{Language, format_significant};
 use questions::list::compare::{Comparison, DatumRow, errata_of};
 use questions::list::{Inquiry, Unanswered, compare};
@@ -114,21 +115,35 @@ fn checks(found: &Comparison<'_>, part: &[usize], language: Language) -> String 
 }
 
 fn figures(found: &Comparison<'_>, language: Language) -> String {
+    table_of(found.candidates.len(), found.demand.iter().chain(&found.data), language)
+        + &errata_lines(&found.data, language)
+}
+
+/// Returns the data of several actuators side by side, as `data CODE --beside CODE` shows them.
+pub(crate) fn data_text(codes: &[OrderCode], data: &[DatumRow], language: Language) -> String {
+    let line = |(index, code): (usize, &OrderCode)| format!("{}  {code}\n", letter(index));
+    let codes_of: String = codes.iter().enumerate().map(line).collect();
+    format!("{codes_of}\n{}{}", table_of(codes.len(), data.iter(), language), errata_lines(data, language))
+}
+
+fn table_of<'r>(count: usize, rows: impl Iterator<Item = &'r DatumRow>, language: Language) -> String {
     let mut heads =
         vec![(terminal::figure(language).to_owned(), Align::Left), (terms::unit(language).to_owned(), Align::Left)];
-    heads.extend((0..found.candidates.len()).map(|index| (letter(index).to_string(), Align::Right)));
+    heads.extend((0..count).map(|index| (letter(index).to_string(), Align::Right)));
     let mut table = TextTable::new(heads);
-    for row in found.demand.iter().chain(&found.data) {
+    for row in rows {
         let mut cells = names(row, language).to_vec();
         let marked = |(place, value): (usize, &Option<f64>)| marked(shown(*value, language), row.errata_of(place));
         cells.extend(row.values.iter().enumerate().map(marked));
         table.row(cells);
     }
-    let mut out = table.render();
-    for id in errata_of(&found.data) {
-        out.push_str(&paragraph(&format!("{ERRATUM_MARK} "), &erratum_line(id, language)));
-    }
-    out
+    table.render()
+}
+
+/// Returns the errata of some data, a paragraph for each.
+fn errata_lines(data: &[DatumRow], language: Language) -> String {
+    let line = |id| paragraph(&format!("{ERRATUM_MARK} "), &erratum_line(id, language));
+    errata_of(data).into_iter().map(line).collect()
 }
 
 /// Returns symbol with name, and unit.

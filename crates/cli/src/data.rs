@@ -2,11 +2,14 @@
 
 use crate::answer::CommandAnswer;
 use crate::call::Call;
+use crate::command::own;
 use crate::table::{Align, TextTable, labelled, paragraph};
+use order_code::OrderCode;
 use quantities::{Language, Unit};
+use questions::ProductId;
 use questions::answer::sheet_note_text;
 use questions::list::data::{Sheet, SheetMarks, SheetNote, SheetSection};
-use questions::list::{Inquiry, Unanswered, data, torsion};
+use questions::list::{Given, Inquiry, Unanswered, compare, data, torsion};
 use std::fmt::Write as _;
 use words::{
     condition_text, describe_uncovered, erratum_line, erratum_place_of, row_sign, symbol_term, table_title, terminal,
@@ -16,7 +19,27 @@ use words::{
 /// `antrieb data CODE`
 pub(crate) fn sheet(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    Ok(CommandAnswer::data(sheet_text(&data::found(inquiry)?, language)))
+    let further = call.texts(own::BESIDE);
+    if further.is_empty() {
+        return Ok(CommandAnswer::data(sheet_text(&data::found(inquiry)?, language)));
+    }
+    if call.as_json {
+        return Err(Unanswered::option(own::BESIDE, (terminal::no_record_of_several(language).to_owned(), None)));
+    }
+    let first = data::Args::read(&inquiry.given)?.code;
+    let read = |text: &String| {
+        let given = Given::of(data::Args::ARGUMENTS, [("code".into(), text.into())], language)?;
+        Ok::<_, Unanswered>(data::Args::read(&given)?.code)
+    };
+    let further: Vec<OrderCode> = further.iter().map(read).collect::<Result<_, _>>()?;
+    let codes: Vec<OrderCode> = std::iter::once(first).chain(further).collect();
+    if !compare::COMPARED.contains(&codes.len()) {
+        return Err(Unanswered::message(terminal::two_to_five_codes(&codes.len(), language)));
+    }
+    let ids: Vec<ProductId> = codes.iter().map(ProductId::from).collect();
+    let data = compare::data_of(&**inquiry.catalogue, &ids)
+        .map_err(|(place, refusal)| Unanswered::Refused(refusal, ids.get(place).cloned()))?;
+    Ok(CommandAnswer::data(crate::compare::data_text(&codes, &data, language)))
 }
 
 fn sheet_text(sheet: &Sheet, language: Language) -> String {

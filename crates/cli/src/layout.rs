@@ -32,7 +32,7 @@ const LAYOUTS: &[Layout] = &[
     shown(&list::code_parse::ENTRY, code::parse),
     shown(&list::code_list::ENTRY, code::list),
     shown(&list::code_complete::ENTRY, code::complete),
-    shown(&list::data::ENTRY, data::sheet),
+    shown(&list::data::ENTRY, data::sheet).with(own::data),
     shown(&list::wiring::ENTRY, wiring::wiring).with(own::wiring),
     shown(&list::wiring_check::ENTRY, wiring::check),
     shown(&list::encoder::ENTRY, encoder::encoder),

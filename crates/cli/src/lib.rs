@@ -124,6 +124,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Result<CommandAnswer, U
         Some(("serve", found)) => serve::serve(found, language),
         Some(("drive", found)) => drive::drive(found, language),
         Some(("completions", found)) => Ok(command::completions(found, language)),
+        Some(("help", found)) => Ok(command::help_on_check(found, language)),
         Some(("man", found)) => command::man(found, language),
         _ => ask::answer(matches, json, language),
     }

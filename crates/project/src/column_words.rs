@@ -10,20 +10,30 @@ use quantities::parse;
 const OF_EVERY_MOVE: [&str; 7] =
     ["time", "acceleration", "jerk", "payload", "payload_inertia", "process_force", "process_torque"];
 
+/// Heading of a key that a heading of a table stands for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct HeadingMeant {
+    /// Heading with the path of the key.
+    pub heading: String,
+    /// `true` if the key has the values with the opposite sign: the way back.
+    pub is_opposite: bool,
+}
+
 /// Returns the headings that a heading of a table stands for in a project: the only stated key with this name or with one that
 /// people have for it, or this key of every move. A heading that names a key, or none, is returned as it is. `prefix` stands
 /// before the keys of the axis.
 #[must_use]
-pub fn headings_meant(all: &[Written], prefix: &str, heading: &str) -> Vec<String> {
+pub fn headings_meant(all: &[Written], prefix: &str, heading: &str) -> Vec<HeadingMeant> {
     let (name, unit) = parts(heading);
     let with_unit = |path: &str| unit.as_deref().map_or_else(|| path.to_owned(), |unit| format!("{path} [{unit}]"));
-    let as_it_is = || vec![heading.to_owned()];
+    let meant = |heading: String| HeadingMeant { heading, is_opposite: false };
+    let as_it_is = || vec![meant(heading.to_owned())];
     if Heading::is_one(heading) || Counted::of([heading]) == Counted::FromZero {
         return as_it_is();
     }
     let bracketed = with_brackets(&name);
     if bracketed != name && Heading::is_one(&bracketed) {
-        return vec![with_unit(&bracketed)];
+        return vec![meant(with_unit(&bracketed))];
     }
     let word = name.trim().to_lowercase();
     let names: Vec<&str> = std::iter::once(word.as_str()).chain(other_names(&word).iter().copied()).collect();
@@ -35,14 +45,15 @@ pub fn headings_meant(all: &[Written], prefix: &str, heading: &str) -> Vec<Strin
         })
     };
     let value = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
-    let is_dwell = |inside: &str| {
+    // The cycle is stated by a dwell, which is the rest of it.
+    let is_of_dwell = |inside: &str| {
         let segment = inside.rsplit_once('.').map_or("", |(segment, _)| segment);
-        value(&format!("{prefix}{segment}.law")) == Some("dwell")
+        value(&format!("{prefix}{segment}.law")) == Some("dwell") && !inside.ends_with(".cycle")
     };
     let of = |name: &&str| -> Vec<String> {
         let stated = all.iter().filter(|each| each.value.is_some()).filter_map(|each| each.path.strip_prefix(prefix));
         let named = stated.filter(|inside| inside.rsplit_once('.').is_some_and(|(_, last)| last == *name));
-        named.filter(|inside| is_fitting(inside) && !is_dwell(inside)).map(str::to_owned).collect()
+        named.filter(|inside| is_fitting(inside) && !is_of_dwell(inside)).map(str::to_owned).collect()
     };
     let found = names.iter().map(of).find(|found| !found.is_empty()).unwrap_or_default();
     let is_of_move = |path: &String| {
@@ -56,10 +67,42 @@ pub fn headings_meant(all: &[Written], prefix: &str, heading: &str) -> Vec<Strin
         return as_it_is();
     }
     match &found[..] {
-        [path] => vec![with_unit(path)],
-        [_, _, ..] if found.iter().all(is_of_move) => found.iter().map(|path| with_unit(path)).collect(),
+        [path] => vec![meant(with_unit(path))],
+        [_, _, ..] if found.iter().all(is_of_move) => found.iter().map(|path| meant(with_unit(path))).collect(),
+        [first, _, ..] if found.iter().all(|path| path.starts_with("motion[") && path.ends_with("].distance")) => {
+            // One value makes the distances equal, and some of them go back.
+            let distance = |path: &String| value(&format!("{prefix}{path}")).unwrap_or_default();
+            let amount = |path: &String| distance(path).trim_start_matches('-').to_owned();
+            if found.iter().any(|path| amount(path) != amount(first)) {
+                return as_it_is();
+            }
+            let is_back = |path: &String| distance(path).starts_with('-');
+            let of =
+                |path: &String| HeadingMeant { heading: with_unit(path), is_opposite: is_back(path) != is_back(first) };
+            found.iter().map(of).collect()
+        }
         _ => as_it_is(),
     }
+}
+
+/// Returns the headings of the times of the dwells that fill a cycle, for a heading that names the cycle of an axis whose dwells
+/// state times; empty for another heading.
+#[must_use]
+pub fn times_for_cycle(all: &[Written], prefix: &str, heading: &str) -> Vec<String> {
+    const CYCLE: &str = "cycle";
+    let (name, unit) = parts(heading);
+    let word = name.trim().to_lowercase();
+    if word != CYCLE && !other_names(&word).contains(&CYCLE) {
+        return Vec::new();
+    }
+    let value = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
+    let time = |place: usize| format!("{prefix}motion[{place}].time");
+    let is_dwell = |place: &usize| {
+        value(&format!("{prefix}motion[{place}].law")) == Some("dwell") && value(&time(*place)).is_some()
+    };
+    let is_there = |place: &usize| all.iter().any(|each| each.path == format!("{prefix}motion[{place}]"));
+    let unit = unit.as_deref().unwrap_or("s");
+    (1..).take_while(is_there).filter(is_dwell).map(|place| format!("motion[{place}].time [{unit}]")).collect()
 }
 
 /// Returns a path with its entries in brackets: `motion.1.time` is `motion[1].time`.
@@ -97,6 +140,11 @@ mod tests {
         [[motion]]\nlaw = \"open\"\ndistance = \"100 mm\"\ntime = \"1 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"2 s\"\n\
         [[motion]]\nlaw = \"open\"\ndistance = \"-100 mm\"\ntime = \"1 s\"\n";
 
+    fn of(all: &[Written], heading: &str) -> Vec<String> {
+        let shown = |meant: HeadingMeant| format!("{}{}", if meant.is_opposite { "-" } else { "" }, meant.heading);
+        headings_meant(all, "", heading).into_iter().map(shown).collect()
+    }
+
     #[test]
     fn a_word_is_the_only_key_or_the_key_of_every_move() {
         let all = written(TEXT).unwrap();
@@ -110,15 +158,25 @@ mod tests {
             ("time [ms]", &["motion[1].time [ms]", "motion[3].time [ms]"]),
             ("motion.2.time [s]", &["motion[2].time [s]"]),
             ("motion[1].time [s]", &["motion[1].time [s]"]),
-            // One value would turn the way back.
-            ("distance [mm]", &["distance [mm]"]),
+            // The way back has the opposite sign.
+            ("distance [mm]", &["motion[1].distance [mm]", "-motion[3].distance [mm]"]),
+            ("Weg [mm]", &["motion[1].distance [mm]", "-motion[3].distance [mm]"]),
             ("mass [mm]", &["mass [mm]"]),
             ("id", &["id"]),
         ] {
-            assert_eq!(headings_meant(&all, "", heading), meant, "{heading}");
+            assert_eq!(of(&all, heading), meant, "{heading}");
         }
         let carried = format!("{TEXT}payload = \"2 kg\"\n");
-        assert_eq!(headings_meant(&written(&carried).unwrap(), "", "mass [kg]"), ["mass [kg]"]);
+        assert_eq!(of(&written(&carried).unwrap(), "mass [kg]"), ["mass [kg]"]);
+        // Of different distances one value would make equal ones.
+        let other = written(&TEXT.replace("-100 mm", "-50 mm")).unwrap();
+        assert_eq!(of(&other, "distance [mm]"), ["distance [mm]"]);
+        assert_eq!(times_for_cycle(&all, "", "Zyklus [ms]"), ["motion[2].time [ms]"]);
+        assert!(times_for_cycle(&all, "", "time [ms]").is_empty());
+        let cycle = written(&TEXT.replace("time = \"2 s\"", "cycle = \"5 s\"")).unwrap();
+        for heading in ["cycle [s]", "Zyklus [s]", "Taktzeit [s]"] {
+            assert_eq!(of(&cycle, heading), ["motion[2].cycle [s]"], "{heading}");
+        }
     }
 
     #[test]

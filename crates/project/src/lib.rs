@@ -99,7 +99,7 @@ pub mod sections {
 pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyKind, BodyShape, BodyText, read_bodies};
 pub use catalogue_file::{CATALOGUE_KEYS, CATALOGUE_MAX_BYTES, ReadCatalogue, read_catalogue};
-pub use column_words::{headings_meant, nearest_entry, with_brackets};
+pub use column_words::{HeadingMeant, headings_meant, nearest_entry, times_for_cycle, with_brackets};
 pub use cycle::{FilledCycle, Unfilled, cycle_filled};
 pub use diagnostic::{Diagnostic, offset, place};
 pub use edit::{

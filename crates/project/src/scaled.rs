@@ -336,9 +336,15 @@ mod tests {
             assert_eq!(slower, text.replace("1 s", "2 s"));
             begin.elapsed().as_secs_f64()
         };
-        let few = (0..3).map(|_| seconds(400)).fold(f64::INFINITY, f64::min);
-        let many = seconds(4_000);
-        assert!(many < 30.0 * few, "{few} s, {many} s");
+        // Other programs of the machine disturb some of the tries.
+        let mut tries = Vec::new();
+        let is_in_proportion = (0..5).any(|_| {
+            let few = (0..3).map(|_| seconds(400)).fold(f64::INFINITY, f64::min);
+            let many = seconds(4_000);
+            tries.push([few, many]);
+            many < 30.0 * few
+        });
+        assert!(is_in_proportion, "{tries:?} s");
     }
 
     #[test]

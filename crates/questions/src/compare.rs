@@ -2,9 +2,10 @@
 
 use crate::list::size::sized;
 use crate::progress::Progress;
-use crate::sizing_use::{Candidate, Refusal, Rejected, Sizing, check, check_own};
+use crate::sizing_use::{Candidate, Refusal, Rejected, Sizing, check, check_own, not_offered};
 use crate::texts::margin_share;
-use axis::AxisProject;
+use actuator::Parameters;
+use axis::{AxisProject, Catalogue};
 use configurator::ProductId;
 use provenance::Datum;
 use quantities::unit::{
@@ -106,7 +107,8 @@ pub fn compare<'p>(
     };
     let candidates: Vec<Candidate<'p>> = ids.iter().enumerate().map(judged).collect::<Result<_, _>>()?;
     let all: Vec<&Candidate<'p>> = candidates.iter().collect();
-    let (demand, data, checks) = (demand_rows(&all), data_rows(&all), check_rows(&all));
+    let parameters: Vec<&Parameters> = all.iter().map(|candidate| candidate.parameters).collect();
+    let (demand, data, checks) = (demand_rows(&all), data_rows(&parameters), check_rows(&all));
     let fitting = candidates.iter().enumerate().filter(|(_, candidate)| candidate.fits());
     let better = fitting.min_by(|(_, a), (_, b)| sizing::rank(&a.standing, &b.standing)).map(|(index, _)| index);
     Ok(Comparison { candidates, better, demand, data, checks })
@@ -151,12 +153,26 @@ fn demand_rows(candidates: &[&Candidate<'_>]) -> Vec<DatumRow> {
     ]
 }
 
-fn data_rows(candidates: &[&Candidate<'_>]) -> Vec<DatumRow> {
+/// Returns the data of several actuators of a catalogue, as a comparison has them.
+///
+/// # Errors
+/// [`Refusal`] of the first one that has no data, with its place in the list.
+pub fn data_of(catalogue: &dyn Catalogue, ids: &[ProductId]) -> Result<Vec<DatumRow>, (usize, Refusal)> {
+    let of = |(index, id): (usize, &ProductId)| {
+        id.availability().map_err(|broken| (index, Refusal::Broken(broken)))?;
+        let product = catalogue.product(id).ok_or_else(|| (index, not_offered(catalogue, id)))?;
+        Ok(&product.parameters)
+    };
+    let all: Vec<&Parameters> = ids.iter().enumerate().map(of).collect::<Result<_, _>>()?;
+    Ok(data_rows(&all))
+}
+
+fn data_rows(all: &[&Parameters]) -> Vec<DatumRow> {
     fn found<Q: Measure>(datum: &Datum<Q>) -> Found {
         datum.known().map(|known| (known.value.si(), known.errata))
     }
-    let row = |symbol, unit: &'static Unit, of: fn(&actuator::Parameters) -> Found| {
-        let found: Vec<Found> = candidates.iter().map(|each| of(each.parameters)).collect();
+    let row = |symbol, unit: &'static Unit, of: fn(&Parameters) -> Found| {
+        let found: Vec<Found> = all.iter().map(|parameters| of(parameters)).collect();
         DatumRow {
             symbol,
             unit,

@@ -18,7 +18,7 @@ use cells::Decimals;
 pub use cells::{CellFault, Cells, TableFaults};
 pub use head::Head;
 pub use judged::{Best, Every, Judged, OnFront};
-pub use labels::TableColumns;
+pub use labels::{MeantHeading, TableColumns};
 pub use summary::{MissedBy, NotJudged, SweepRow, SweepSummary, Tally};
 
 use crate::codes::read_code;
@@ -103,6 +103,8 @@ pub struct Sweep {
 struct Column {
     written: String,
     holds: Holds,
+    /// `true` if the values of the key are those of the cells with the opposite sign.
+    is_opposite: bool,
 }
 
 /// Content of a column.
@@ -134,7 +136,8 @@ impl Sweep {
         headings: &[&str],
         options: Options,
     ) -> Result<Self, Unanswered> {
-        Head::of(project, &*files, headings, options).ready("", files)
+        let headings: Vec<MeantHeading> = headings.iter().map(|heading| MeantHeading::from(*heading)).collect();
+        Head::of(project, &*files, &headings, options).ready("", files)
     }
 
     /// Iterates over the headings in their order, as keys with entries counted from one.

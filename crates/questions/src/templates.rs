@@ -103,6 +103,9 @@ fn commented(kind: &ProjectKind, project: &str, file: &str, language: Language) 
         }
         if line == "format = 1" {
             text.push_str(&format!("# {}\n", words::how_to_run(file, language)));
+            if project == kind.plain {
+                text.push_str(&format!("# {}\n", words::figures_of_a_template(language)));
+            }
         }
         let line = match kind.recording {
             Some((name, _)) => line.replace(name, &beside),
@@ -133,11 +136,13 @@ static FIGURES: LazyLock<Vec<(String, Figures)>> = LazyLock::new(|| {
     KINDS.iter().flat_map(of).collect()
 });
 
-/// Returns the figures of a template that a project begun with it still has: no one has stated them. A project without the first
+/// Returns the figures of a template that a project begun with it still has: no one has stated them. A project without the head
 /// line of its template has none.
 pub(crate) fn unstated_figures(text: &str) -> Vec<TemplateFigure> {
-    let head = text.lines().next().unwrap_or_default().trim_end();
-    let Some((_, figures)) = FIGURES.iter().find(|(known, _)| known == head) else { return Vec::new() };
+    // Further lines may have been added above it.
+    let mut heads = text.lines().map(str::trim_end).take_while(|line| line.is_empty() || line.starts_with('#'));
+    let of_head = |head| FIGURES.iter().find(|(known, _)| known == head);
+    let Some((_, figures)) = heads.find_map(of_head) else { return Vec::new() };
     let all = written(text).unwrap_or_default();
     let is_kept = |(path, value): &&(String, String)| {
         all.iter().any(|each| each.path == *path && each.value.as_ref() == Some(value))
@@ -233,6 +238,9 @@ mod tests {
             assert_eq!(of_template.count(), all.len() - 2);
             let (_, rest) = text.split_once('\n').unwrap();
             assert!(paths(rest).is_empty());
+            // The file says so itself, and lines above leave it a template.
+            assert!(rest.contains(&words::figures_of_a_template(language)));
+            assert_eq!(paths(&format!("# Order 4711\n\n{text}")).len(), all.len());
         }
     }
 

@@ -11,7 +11,9 @@ use project::TabularFault;
 use quantities::Language;
 use quantities::unit::MILLIMETRE;
 use questions::list::Unanswered;
-use questions::sweep::{self, Answer, Best, CODE, Every, Judged, OnFront, Options, TableColumns, TableFaults, Wanted};
+use questions::sweep::{
+    self, Answer, Best, CODE, Every, Judged, MeantHeading, OnFront, Options, TableColumns, TableFaults, Wanted,
+};
 use questions::{CheckId, Progress, Refusal};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -52,7 +54,7 @@ impl BatchHead {
     /// Reads a project, by its name and text, and the headings of a table for it.
     #[must_use]
     pub fn of(project: (&str, &str), files: &dyn Files, table: &Schema, repeats: Repeats, options: Options) -> Self {
-        let read = |headings: &[&str], options| sweep::Head::of(project, files, headings, options);
+        let read = |headings: &[MeantHeading], options| sweep::Head::of(project, files, headings, options);
         Self::with(project.1, table, repeats, options, read)
     }
 
@@ -65,7 +67,7 @@ impl BatchHead {
         repeats: Repeats,
         options: Options,
     ) -> Self {
-        let read = |headings: &[&str], options| sweep::Head::read(text, projects, headings, options);
+        let read = |headings: &[MeantHeading], options| sweep::Head::read(text, projects, headings, options);
         Self::with(text, table, repeats, options, read)
     }
 
@@ -74,13 +76,12 @@ impl BatchHead {
         table: &Schema,
         repeats: Repeats,
         options: Options,
-        read: impl FnOnce(&[&str], Options) -> sweep::Head,
+        read: impl FnOnce(&[MeantHeading], Options) -> sweep::Head,
     ) -> Self {
         let (wanted, language) = (options.wanted.clone(), options.language);
         let names: Vec<&str> = table.fields().iter().map(|field| field.name().as_str()).collect();
         let mut columns = TableColumns::of(&names);
         let keys = columns.as_meant(&names, text, options.axis.as_deref());
-        let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
         let mut head = read(&keys, options);
         let answers = answered(&wanted, head.chooses_ratio());
         if repeats != Repeats::Labels {

@@ -17,6 +17,15 @@ pub fn how_to_run(file: &str, language: Language) -> String {
     said!(language => "Run: antrieb size {file}" | "Aufruf: antrieb size {file} --lang de")
 }
 
+/// Returns the effect of the first line of a template on its figures.
+#[must_use]
+pub fn figures_of_a_template(language: Language) -> String {
+    said!(language =>
+        "Figures that are not changed are listed as assumed; deleting the line above the call confirms them."
+        | "Nicht geänderte Zahlenwerte gelten als angenommen; wer die Zeile über dem Aufruf löscht, bestätigt sie."
+    )
+}
+
 /// Every comment and name of the examples, English and German.
 pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     // indexing table

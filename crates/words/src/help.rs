@@ -111,6 +111,9 @@ texts! {
         | "Statt einer Tabelle: ein Schlüssel mit Werten oder Bereich, payload=0;5;10kg oder time=1..3s; mehrfach für alle Kombinationen; ohne --out werden die Antworten angezeigt";
     sweep_steps =
         "Values of each range (11)" | "Werte je Bereich (11)";
+    data_beside =
+        "Further actuator, two to five in all: their main data side by side in place of the data sheet; may be repeated"
+        | "weiterer Antrieb, insgesamt zwei bis fünf: ihre Hauptdaten nebeneinander anstelle des Datenblatts; mehrfach möglich";
     sweep_inputs =
         "Columns beside the results: those of the table, with all also the values that the project states"
         | "Spalten neben den Ergebnissen: die der Tabelle, mit all auch die im Projekt angegebenen Werte";

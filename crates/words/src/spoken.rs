@@ -369,6 +369,16 @@ pub fn is_duration(word: &str) -> bool {
     ["duration", "time", "runtime", "for", "dauer", "zeit", "laufzeit"].contains(&&*word.to_lowercase())
 }
 
+/// Returns `true` if a word names the reduction ratio of an actuator.
+#[must_use]
+pub fn is_ratio(word: &str) -> bool {
+    let word = folded(word);
+    ["ratio", "ratios", "gear-ratio", "gear_ratio", "gear", "reduction", "reduction-ratio", "reduction_ratio", "i"]
+        .into_iter()
+        .chain(["untersetzung", "übersetzung", "untersetzungen", "übersetzungen", "getriebe"])
+        .any(|name| folded(name) == word)
+}
+
 /// Returns `true` if a word names the holding brake.
 #[must_use]
 pub fn is_brake(word: &str) -> bool {

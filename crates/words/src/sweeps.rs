@@ -63,8 +63,8 @@ texts! {
         "the table or a recording was changed while the sweep ran: its parts are removed, the same call starts again"
         | "die Tabelle oder eine Aufzeichnung wurde während des Laufs geändert: die Teile werden entfernt, derselbe Aufruf beginnt von vorn";
     decimal_comma_of_csv =
-        "a Parquet file has no decimal signs; write a .csv file"
-        | "eine Parquet-Datei hat keine Dezimalzeichen; eine .csv-Datei schreiben";
+        "only a text file (.csv) has decimal commas; a Parquet file has no decimal signs"
+        | "nur eine Textdatei (.csv) hat Dezimalkommas; eine Parquet-Datei hat keine Dezimalzeichen";
     ending_of_a_table =
         "the file name of the results must end in .csv, .csv.gz or .parquet"
         | "der Dateiname der Ergebnisse muss auf .csv, .csv.gz oder .parquet enden";

@@ -21,6 +21,12 @@ texts! {
     two_to_five_codes(count) =
         "two to five ordering codes can be compared, not {count}: state --code once for each"
         | "vergleichbar sind zwei bis fünf Bestellbezeichnungen, nicht {count}: --code für jede einmal angeben";
+    no_record_of_several =
+        "the data of several actuators have no JSON; one record for each: antrieb data CODE --json"
+        | "die Daten mehrerer Antriebe gibt es nicht als JSON; ein Datensatz für jeden: antrieb data CODE --json";
+    help_on_check(title, id) =
+        "{title}: the check `{id}`. Requirement, limit and utilisation of an actuator are in the answer of `antrieb check`, formula, inputs and sources in that of `antrieb explain`:"
+        | "{title}: der Nachweis „{id}“. Anforderung, Grenzwert und Auslastung eines Antriebs nennt `antrieb check`, Formel, Eingangsgrößen und Quellen nennt `antrieb explain`:";
     table = "table" | "Tabelle";
     note = "note" | "Hinweis";
     errata_of_this_table = "errata of this table" | "Druckfehler dieser Tabelle";
@@ -205,8 +211,6 @@ texts! {
     no_steps_without_a_range =
         "steps divide a range such as 10..20kg; no value of --vary is one"
         | "Schritte teilen einen Bereich wie 10..20kg; kein Wert von --vary ist einer";
-    decimal_comma_of_text =
-        "only a text file (.csv) has decimal commas" | "nur eine Textdatei (.csv) hat Dezimalkommas";
     set_no_key(key) = "a project has no key \"{key}\"" | "ein Projekt hat keinen Schlüssel „{key}“";
     scale_not_possible(what) =
         "{what} cannot be scaled in this project: it has no such values, or states them as a recording"

@@ -1,7 +1,8 @@
 //! Calls that begin with something else than a command: the kind of a new project, a project, an ordering code.
 
-use super::folder::has_ending;
+use super::folder::{has_ending, projects_in};
 use super::kind::kind;
+use super::own::BESIDE;
 use super::spoken::{command_named, seems_code};
 use quantities::Language;
 use questions::list::new;
@@ -35,6 +36,12 @@ pub(crate) fn with_command(mut arguments: Vec<OsString>, language: Language) -> 
         arguments.splice(place + 1.., words.into_iter().map(OsString::from));
         return (arguments, true);
     }
+    if command_named(first) == Some("compare")
+        && let Some(words) = beside(behind, language)
+    {
+        arguments.splice(place.., words.into_iter().map(OsString::from));
+        return (arguments, true);
+    }
     let (at, added) = match command_named(first) {
         Some(command) if let Some(other) = other_command(command, behind, language) => {
             if let Some(word) = arguments.get_mut(place) {
@@ -65,6 +72,27 @@ fn with_brake(words: &[&str]) -> Option<Vec<String>> {
     let [word] = &rest[..] else { return None };
     let own = ["list", WITH_BRAKE].into_iter().chain(options).map(str::to_owned);
     spoken::is_brake(word.trim_start_matches('-')).then(|| own.collect())
+}
+
+/// Returns the call that shows the data of the codes of a comparison side by side, where no project is stated and the folder has
+/// none that is plainly meant.
+fn beside(words: &[&str], language: Language) -> Option<Vec<String>> {
+    let is_project = |word: &&str| has_ending(word, &[".toml"]) || *word == "-" || Path::new(word).exists();
+    if words.iter().any(|word| is_project(word) || *word == "--json") || projects_in(Path::new("")).len() == 1 {
+        return None;
+    }
+    let (mut codes, mut rest, mut all) = (Vec::new(), Vec::new(), words.iter().copied());
+    while let Some(word) = all.next() {
+        let stated = if word == "--code" { all.next()? } else { word.strip_prefix("--code=").unwrap_or(word) };
+        match questions::read_code(stated, language) {
+            Ok(read) => codes.push(read.parsed.code.to_string()),
+            Err(_) if word.starts_with("--lang") || language_of(word).is_some() => rest.push(word.to_owned()),
+            Err(_) => return None,
+        }
+    }
+    let (first, further) = codes.split_first().filter(|(_, further)| !further.is_empty())?;
+    let further = further.iter().flat_map(|code| [format!("--{BESIDE}"), code.clone()]);
+    Some(["data".to_owned(), first.clone()].into_iter().chain(further).chain(rest).collect())
 }
 
 /// Commands about a project, each with that about a code alone which is meant where the first word is one.

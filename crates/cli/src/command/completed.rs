@@ -1,10 +1,13 @@
 //! Calls that lack one word, with the one that is plainly meant: the only project of the folder, today, the neutral list of a drive,
 //! the best of the actuators that half a code names.
 
+use super::begun::file_beside;
 use super::best::{BestOfPattern, best_of_pattern};
+use super::example::code_of_recorded;
 use super::folder::{has_ending, projects_in};
 use super::meant::{Called, Part};
 use super::spoken::seems_code;
+use super::typed::typed;
 use clap::Command;
 use quantities::{Language, Measure, Time};
 use questions::list::ArgumentKind;
@@ -15,6 +18,9 @@ use words::{spoken, terminal};
 
 /// Hours of operation a day of a battery without a statement: a shift.
 const BATTERY_HOURS: &str = "8 h";
+
+/// Ending of a workbook.
+const WORKBOOK: &str = ".xlsx";
 
 /// Word for the duration of a run.
 const DURATION: &str = "duration";
@@ -166,6 +172,16 @@ fn with_one_option(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
         }
         "plot" if !is_given(&["figure"]) && !takes("--figure") && is_given(&["svg", "png"]) => {
             with(&["--figure", "torque_speed"], terminal::option_assumed(&"--figure torque_speed", language))
+        }
+        // The workbook beside the project, as the report.
+        "export" if !is_given(&["out", "table", "format"]) && !super::json_of(arguments) => {
+            called.projects.first().filter(|_| !takes("--table") && !takes("--out"))?;
+            let file = file_beside(&called.projects, WORKBOOK);
+            with(&["--out", &file], terminal::option_assumed(&typed(["--out", &file]), language))
+        }
+        "identify" if !is_given(&["code"]) && !super::json_of(arguments) => {
+            let code = code_of_recorded(arguments, called, &|| None)?;
+            with(&["--code", &code], terminal::best_of_the_ranking(&code, language))
         }
         "battery" => {
             let code = bare.iter().find(|word| questions::read_code(word, language).is_ok());

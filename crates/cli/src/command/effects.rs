@@ -1,11 +1,9 @@
 //! Options that have no effect without another one: the dependences, and the refusal of a call that lacks the other.
 
-use super::folder::has_ending;
 use clap::ArgMatches;
 use clap::parser::ValueSource;
 use quantities::Language;
 use questions::list::{LIST, Unanswered};
-use std::path::PathBuf;
 use words::terminal;
 
 /// Dependence of an option on others.
@@ -97,13 +95,6 @@ fn of_a_sweep(matches: &ArgMatches, is_given: &dyn Fn(&str) -> bool, language: L
     };
     if is_given("steps") && is_given(super::own::VARY) && !varied.into_iter().any(is_range) {
         all.push(Unanswered::option("steps", (terminal::no_steps_without_a_range(language).to_owned(), None)));
-    }
-    let out = matches.try_get_one::<PathBuf>("out").ok().flatten();
-    if is_given("decimal-comma")
-        && let Some(out) = out.filter(|out| !has_ending(&out.to_string_lossy(), &[".csv", ".csv.gz"]))
-        && out.as_os_str() != "-"
-    {
-        all.push(Unanswered::option("decimal-comma", (terminal::decimal_comma_of_text(language).to_owned(), None)));
     }
     all
 }

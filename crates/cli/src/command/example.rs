@@ -53,7 +53,7 @@ pub(super) fn filled(arguments: &[OsString], called: &Called<'_>) -> Option<Stri
     let parts = called.parts(&of_example)?;
     for _ in 0..FILLED_MOST {
         let Err(error) = whole.clone().try_get_matches_from(&words) else {
-            words.extend(code_of_recorded(&words, &called).into_iter().flat_map(|code| ["--code".into(), code.into()]));
+            words.extend(of_recorded(&words, &called).into_iter().flat_map(|code| ["--code".into(), code.into()]));
             let texts: Option<Vec<&str>> = words.iter().map(|word| word.to_str()).collect();
             // The name of the program as it is typed, not its path.
             return Some(typed(std::iter::once(super::NAME).chain(texts?.into_iter().skip(1))));
@@ -131,18 +131,30 @@ pub(super) fn filled(arguments: &[OsString], called: &Called<'_>) -> Option<Stri
 const TRACE: &str = "trace";
 const RUN: &str = "run.csv";
 
-/// Returns the actuator of a recorded run, if neither the call nor its project states one: the best of the ranking, else that of the
-/// example.
-fn code_of_recorded(words: &[OsString], called: &Called<'_>) -> Option<String> {
-    let entry = called.entry.filter(|entry| entry.arguments.iter().any(|argument| argument.name == TRACE))?;
+/// Returns the actuator of a recorded run as [`code_of_recorded`], else that of the example.
+fn of_recorded(words: &[OsString], called: &Called<'_>) -> Option<String> {
+    let of_example = || {
+        let example = called.entry.map(|entry| split(entry.example)).unwrap_or_default();
+        example.into_iter().skip_while(|word| word != "--code").nth(1)
+    };
+    code_of_recorded(words, called, &of_example)
+}
+
+/// Returns the actuator of a recorded run, if neither the call nor its project states one: the best of the ranking, else another
+/// one.
+pub(super) fn code_of_recorded(
+    words: &[OsString],
+    called: &Called<'_>,
+    otherwise: &dyn Fn() -> Option<String>,
+) -> Option<String> {
+    let _ = called.entry.filter(|entry| entry.arguments.iter().any(|argument| argument.name == TRACE))?;
     let texts: Vec<&str> = words.iter().filter_map(|word| word.to_str()).collect();
     let is_stated = texts.iter().any(|word| word.split('=').next() == Some("--code"));
     let has_own = |text: String| written(&text).is_some_and(|all| all.iter().any(|each| each.path == "actuator"));
     if is_stated || called.project_text().is_some_and(has_own) {
         return None;
     }
-    let of_example = || split(entry.example).into_iter().skip_while(|word| word != "--code").nth(1);
-    best_of_project(&texts, called.language()).or_else(of_example)
+    best_of_project(&texts, called.language()).or_else(otherwise)
 }
 
 /// Returns the call that simulates the recorded run of another call, where its file does not exist.
@@ -200,7 +212,9 @@ impl Stray {
         let mut calls: Vec<String> =
             self.options.iter().filter_map(|(option, value)| filled(&without(&[option, value]), called)).collect();
         if calls.is_empty() {
-            calls.extend(called.other_command(&self.word));
+            let own = called.other_command(&self.word);
+            let behind = (self.place, self.place + 1);
+            calls.extend(own.or_else(|| called.with_command_of_value(&self.word, behind, arguments)));
         }
         if calls.is_empty() && called.projects.len() > 1 && called.is_project_of_call(&self.word) {
             calls.extend(called.calls_of_projects(arguments, self.place));

@@ -1,5 +1,7 @@
 //! Words of a call that no position takes: the options whose values they are, from the declaration of the command.
 
+mod ordered;
+
 use super::effects;
 use super::folder::{RECORDINGS, endings, has_ending, is_project, kind_in_place_of_a_file};
 use super::own;
@@ -421,24 +423,16 @@ impl<'c> Sorting<'c> {
         self.begun_by_recording(bare);
     }
 
-    /// Adds the kind of a project that begins with a recording and has none: `new log.csv`.
-    fn begun_by_recording(&mut self, bare: &[(usize, &'c str)]) {
-        let is_new = self.called.entry.is_some_and(|entry| entry.command == "new");
-        let has_kind = bare.iter().any(|(place, _)| self.placed.iter().all(|(other, _)| other != place));
-        if !is_new || has_kind || !self.given.contains(&"from") {
-            return;
-        }
-        match self.placed.iter_mut().find(|(_, words)| words.first().is_some_and(|word| word == "--from")) {
-            Some((_, words)) => words.insert(0, RECORDING.to_owned()),
-            None => self.kind_due = true,
-        }
-    }
-
     /// Returns the number of the next words that a position takes, and whether it is full then; `None` if it takes none.
     fn position(&mut self, position: &Arg, rest: &[(usize, &str)], code: &mut String) -> Option<(usize, bool)> {
         let (called, language) = (self.called, self.called.language);
         // No position takes a number with a minus sign.
         let &(place, word) = rest.first().filter(|(_, word)| !is_negative(word))?;
+        // `load +5kg` changes the load, which is a kind of project too.
+        let is_behind_project = called.projects.first().is_some_and(|project| project.as_path() != Path::new(word));
+        if is_behind_project && rest.get(1).is_some_and(|(_, next)| called.change_of_two(word, next).is_some()) {
+            return None;
+        }
         let argument = called.entry.and_then(|_| called.argument(position.get_id().as_str()));
         let is_several = position.get_num_args().is_some_and(|range| range.max_values() > 1);
         match argument {
@@ -573,25 +567,6 @@ impl<'c> Sorting<'c> {
         self.placed.push((place, vec![option.to_owned(), value]));
         let long = self.called.options().find_map(|each| each.get_long().filter(|long| option == format!("--{long}")));
         self.given.extend(long);
-    }
-
-    /// Exchanges a project that stands before the recording of it.
-    fn ordered(&mut self, bare: &[(usize, &str)]) {
-        let positions: Vec<&Arg> = self.called.command.get_positionals().collect();
-        let [trace, project] = &positions[..] else { return };
-        let is_file = |position: &Arg, name: &str| position.get_id().as_str() == name;
-        if !(is_file(trace, "trace") && is_file(project, "project")) {
-            return;
-        }
-        let kept: Vec<&(usize, &str)> =
-            bare.iter().filter(|(place, _)| self.placed.iter().all(|(other, _)| other != place)).collect();
-        if let [(first, one), (second, other)] = &kept[..]
-            && has_ending(one, &[".toml"])
-            && !has_ending(other, &[".toml"])
-        {
-            self.placed.push((*first, vec![(*other).to_owned()]));
-            self.placed.push((*second, vec![(*one).to_owned()]));
-        }
     }
 }
 

@@ -44,6 +44,14 @@ pub(crate) fn new(command: Command, language: Language) -> Command {
     command.arg(from.value_parser(value_parser!(std::path::PathBuf))).arg(set)
 }
 
+/// Option that states further actuators beside the one of a data sheet.
+pub(crate) const BESIDE: &str = "beside";
+
+/// Adds further actuators beside the one of a data sheet.
+pub(crate) fn data(command: Command, language: Language) -> Command {
+    command.arg(text(BESIDE, values::code(language), help::data_beside(language)).action(ArgAction::Append))
+}
+
 /// Adds help on a picture without a file.
 pub(crate) fn plot(command: Command, language: Language) -> Command {
     command.after_help(help::plot_without_files(language))

@@ -1,7 +1,7 @@
 //! A call from its words to the arguments of the command-line library.
 
 use super::meant::{Stray, Understood};
-use super::{begun, build_for, json_of, language_of, replaced, spoken, states_language, with_help_asked};
+use super::{begun, build_for, json_of, language_of, ratio, replaced, spoken, states_language, with_help_asked};
 use clap::{ArgMatches, Command};
 use quantities::Language;
 use std::ffi::OsString;
@@ -35,6 +35,8 @@ impl ParsedCall {
         }
         let mut language = language_of(arguments.iter().cloned());
         let (arguments, is_begun) = begun::with_command(arguments, language);
+        let (arguments, is_of_ratio) = ratio::with_codes(arguments, language);
+        let is_begun = is_begun || is_of_ratio;
         let as_json = json_of(&arguments);
         let mut command = build_for(&arguments, language);
         let (found, remark) = replaced::understood(arguments, is_begun, &command, language);

@@ -15,7 +15,7 @@ use project::{Hint, Written, nearest_name, written};
 use quantities::{Dimension, parse};
 use questions::list::new::template_kinds;
 use questions::list::report::TITLE_PAGE;
-use questions::list::{Argument, Entry, LIST};
+use questions::list::{Argument, ArgumentKind, Entry, LIST};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
@@ -271,7 +271,9 @@ impl Called<'_> {
             }
             _ => Vec::new(),
         };
-        let of_other = self.with_command_of_option(&name, arguments);
+        let of_other = self
+            .with_command_of_option(&name, arguments)
+            .or_else(|| self.with_command_of_value(&name, (place, behind), arguments));
         let options = match (&of_other, meant) {
             // The call without the option remains.
             (Some(_), _) => vec![[String::new(), String::new()]],
@@ -304,6 +306,35 @@ impl Called<'_> {
         let scenario = ["--scenario", "emergency_stop"].into_iter().filter(|_| of_scenario).map(OsString::from);
         let words: Vec<OsString> = words.chain(arguments.iter().skip(self.begin).cloned()).chain(scenario).collect();
         filled(&words, &Called::of(&words, &whole, self.language())?)
+    }
+
+    /// Returns the call of the only other command that has an option with the value which an unknown option names: `wiring CODE
+    /// --sinamics` is a commissioning for SINAMICS.
+    pub(super) fn with_command_of_value(
+        &self,
+        name: &str,
+        (place, behind): (usize, usize),
+        arguments: &[OsString],
+    ) -> Option<String> {
+        let takes = |entry: &&'static Entry| {
+            let of_words = entry
+                .arguments
+                .iter()
+                .filter(|argument| matches!(argument.kind, ArgumentKind::Word(_)) && !argument.is_list());
+            let word = of_words.filter_map(|argument| Some((argument.name, argument.word(name)?))).next()?;
+            Some((entry.command(), word))
+        };
+        let mut found: Vec<(&str, (&str, &str))> =
+            LIST.iter().filter(|entry| entry.option().is_none()).filter_map(takes).collect();
+        found.dedup();
+        let [(command, (option, value))] = found[..] else { return None };
+        self.entry.filter(|entry| entry.command() != command)?;
+        let kept = |(at, _): &(usize, &OsString)| *at >= self.begin && !(place..behind).contains(at);
+        let kept = arguments.iter().enumerate().filter(kept).map(|(_, word)| word.clone());
+        let words = [super::NAME].into_iter().chain(command.split(' ')).map(OsString::from);
+        let more = [format!("--{option}"), value.to_owned()].map(OsString::from);
+        let words: Vec<OsString> = words.chain(kept).chain(more).collect();
+        filled(&words, &Called::of(&words, self.whole(), self.language())?)
     }
 
     /// Returns the calls in place of one that states a value of a key and no project: with a project of the folder, else those

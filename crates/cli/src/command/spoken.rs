@@ -1,9 +1,11 @@
 //! Calls as people write them: words in any case and in both languages, a code or a check without its option.
 
+use super::folder::projects_in;
 use clap::Command;
 use quantities::Language;
 use questions::list::{LIST, glossary};
 use std::ffi::OsString;
+use std::path::Path;
 use words::spoken::{OPTIONS, TWIN_OPTIONS, folded, language_of};
 
 /// Returns the option that a word stands for, among those that a command has.
@@ -110,6 +112,9 @@ pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
     arguments
 }
 
+/// Command that explains others.
+pub(super) const HELP: &str = "help";
+
 /// Returns the command that explains a word which is none: a check is derived, a term is in the glossary.
 pub(super) fn helping(word: Option<&OsString>) -> Option<&'static str> {
     let word = word?.to_str().filter(|word| !word.starts_with('-') && command_named(word).is_none())?;
@@ -117,8 +122,9 @@ pub(super) fn helping(word: Option<&OsString>) -> Option<&'static str> {
         .iter()
         .filter(|entry| entry.command == "explain")
         .any(|entry| entry.arguments.iter().any(|argument| argument.name == "check" && argument.takes(word)));
+    // Without the project that is plainly meant the help names the check.
     if is_check {
-        return Some("explain");
+        return Some(if projects_in(Path::new("")).len() == 1 { "explain" } else { HELP });
     }
     glossary::glossary(Some(word), Language::default()).is_ok().then_some("glossary")
 }

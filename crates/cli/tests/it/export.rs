@@ -71,7 +71,6 @@ fn a_fault_writes_nothing_and_says_what_helps() {
         (vec!["--table", "check", "--out", &at("a.csv")], "did you mean `checks`?"),
         (vec!["--table", "prices", "--out", &at("a.csv")], "valid here: inputs, assumptions"),
         (vec!["--out", &at("a.csv")], "--table"),
-        (vec![], "--table"),
         (vec!["--out", &at("a.ods")], ".parquet"),
         (vec!["--out", &at("a")], ".parquet"),
         (vec!["--out", &at("none/a.xlsx")], "there is no such folder"),

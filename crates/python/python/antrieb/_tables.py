@@ -294,10 +294,14 @@ def _carried(given: list[Any], place: str, values: Any) -> Any:
         raise TypeError(f"{place}: its values are of no one type ({error}); give them as texts") from None
 
 
+AS_LIST = ("Null", "Object", "Int128", "UInt128")
+"""Types of polars that Arrow does not have, or that say nothing about the values."""
+
+
 def _of_library(values: Any, heading: str, name: str) -> Any:
     """A column of polars or of pyarrow as it is; one of no type as a list."""
     if type(values).__module__.startswith("polars"):
-        return _column(values.to_list(), heading, name) if str(values.dtype) in ("Null", "Object") else values
+        return _column(values.to_list(), heading, name) if str(values.dtype) in AS_LIST else values
     library = importlib.import_module("pyarrow")
     if isinstance(values, library.Array):
         values = library.chunked_array([values])
@@ -406,6 +410,8 @@ def _series(values: Any, heading: str, name: str) -> Any:
                 column = library.Array.from_pandas(values)
             except library.ArrowException as error:
                 raise TypeError(f"{name}: column {heading!r}: {error}") from None
+            except OverflowError:
+                raise TypeError(f"{name}: column {heading!r} has numbers of more than 64 bits; give the column as texts") from None
             inner = column.type.value_type if library.types.is_dictionary(column.type) else None
             if inner is not None and not library.types.is_string(inner) and not library.types.is_large_string(inner):
                 # Categories that are numbers stay numbers in answers.
@@ -425,8 +431,7 @@ def _polars(table: Any, name: str) -> list[Column]:
         raise TypeError(f"{name}: a {type(table).__name__} of polars is one column; take series.to_frame('load.inertia [kg m^2]')")
     found: list[Column] = []
     for heading in table.columns:
-        kind = str(table[heading].dtype)
-        is_listed = kind in ("Null", "Object")
+        is_listed = str(table[heading].dtype) in AS_LIST
         found.append((heading, _column(table[heading].to_list(), heading, name) if is_listed else table[heading]))
     return found
 

@@ -3,7 +3,7 @@
 use super::given::{arguments, products, text};
 use super::{AXIS, Cost, Entry, Gives, Inquiry, PlacedAxis, Reads, Record, Unanswered, argument};
 use crate::answer;
-pub use crate::compare::{CheckRow, Comparison, DatumRow, compare, errata_of};
+pub use crate::compare::{CheckRow, Comparison, DatumRow, compare, data_of, errata_of};
 use crate::sizing_use::Refusal;
 use answers::Fit;
 use axis::AxisProject;
@@ -11,7 +11,7 @@ use configurator::ProductId;
 use words::{help, terminal};
 
 /// Permissible numbers of actuators in a comparison.
-const COMPARED: std::ops::RangeInclusive<usize> = 2..=5;
+pub const COMPARED: std::ops::RangeInclusive<usize> = 2..=5;
 
 arguments! {
     /// Arguments of `compare`: axis and actuators.

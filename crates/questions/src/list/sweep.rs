@@ -7,7 +7,7 @@ use super::{
 };
 use crate::sizing_use::Refusal;
 use crate::sweep::csv::{Broken, Columns, Lines};
-use crate::sweep::{Cells, Head, Options, SweepRow, SweepSummary, TableColumns, Tally, Wanted};
+use crate::sweep::{Cells, Head, MeantHeading, Options, SweepRow, SweepSummary, TableColumns, Tally, Wanted};
 use axis::{AxisProject, Catalogue, Files};
 use quantities::{Language, seen};
 use recording::{Commas, Content, Fault};
@@ -104,7 +104,7 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<SweepSummary, Unanswered> {
             return Err(Unanswered::combined(why.collect()));
         }
     };
-    let head = |keys: &[&str], options| Head::read(text, projects, keys, options);
+    let head = |keys: &[MeantHeading], options| Head::read(text, projects, keys, options);
     evaluated(inquiry, &args, (&name, lines), (head, text, Box::new(shelf)), false)
 }
 
@@ -131,7 +131,7 @@ pub fn of_rows(
     }
     let lines = Lines::open(Cursor::new(rows.as_bytes().to_vec()));
     let lines = lines.map_err(|broken| refused(name, broken.text(language)))?;
-    let head = |keys: &[&str], options| Head::read(text, projects, keys, options);
+    let head = |keys: &[MeantHeading], options| Head::read(text, projects, keys, options);
     evaluated(inquiry, &args, (name, lines), (head, text, files), true)
 }
 
@@ -140,7 +140,7 @@ fn evaluated(
     inquiry: &Inquiry<'_>,
     args: &Args,
     (name, mut lines): (&str, Lines<Cursor<Vec<u8>>>),
-    (head, text, files): (impl FnOnce(&[&str], Options) -> Head, &str, Box<dyn Files + Send + Sync>),
+    (head, text, files): (impl FnOnce(&[MeantHeading], Options) -> Head, &str, Box<dyn Files + Send + Sync>),
     has_inputs: bool,
 ) -> Result<SweepSummary, Unanswered> {
     let language = inquiry.language;
@@ -148,7 +148,6 @@ fn evaluated(
     let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
     let mut places = TableColumns::of(&headings);
     let keys = places.as_meant(&headings, text, args.axis.as_deref());
-    let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
     let options = args.options(inquiry.catalogue, lines.commas(), language)?;
     let mut head = head(&keys, options);
     places.faults(&[], language).for_each(|fault| head.refuse(fault));

@@ -82,7 +82,7 @@ impl CellFault {
         let own = || words::own_hint(fault, language);
         let hint = hint.as_ref().map(|hint| hint_text(hint, language)).or_else(own);
         // A heading that may be a key or a label has a name under which it is a label.
-        let label = matches!(fault, Fault::UnknownKey { .. }).then(|| label_of(heading)).flatten();
+        let label = label_of(heading);
         let label = label.map(|label| sweeps::as_a_label(&seen(&label), language));
         Self {
             heading: seen(heading).into_owned(),
@@ -99,6 +99,9 @@ impl CellFault {
 
 /// Returns the name under which a column is carried instead of read as a key; `None` for a heading that is a path.
 fn label_of(heading: &str) -> Option<String> {
+    if Heading::is_one(heading) {
+        return None;
+    }
     let name = heading.split('[').next().unwrap_or_default().trim();
     let label = format!("label_{}", name.replace(' ', "_"));
     (!name.is_empty() && !name.contains('.') && project::is_label(&label)).then_some(label)
@@ -211,6 +214,11 @@ fn number_of(text: &str) -> &str {
 }
 
 impl Column {
+    /// Returns `true` if its heading is a word for the key.
+    pub(super) fn is_by_word(&self) -> bool {
+        matches!(&self.holds, Holds::Key(_)) && !Heading::is_one(&self.written)
+    }
+
     pub(super) fn key(&self) -> &str {
         match &self.holds {
             Holds::Code => super::CODE,
@@ -231,8 +239,15 @@ impl Column {
         }
     }
 
-    /// Returns the content of a cell.
+    /// Returns the content of a cell, with the sign of the key.
     fn cell<'c>(&self, cells: &'c Cells<'_>, row: usize, commas: Commas) -> Result<Value<'c>, Fault> {
+        match self.read(cells, row, commas)? {
+            Value::Number(number) if self.is_opposite => Ok(Value::Number(-number)),
+            value => Ok(value),
+        }
+    }
+
+    fn read<'c>(&self, cells: &'c Cells<'_>, row: usize, commas: Commas) -> Result<Value<'c>, Fault> {
         let path = || self.key().to_owned();
         let empty = || Fault::Tabular(TabularFault::NoValue { path: path() });
         match cells {

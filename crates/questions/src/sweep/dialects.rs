@@ -132,7 +132,7 @@ impl Dialect {
 fn read(bytes: &[u8]) -> Result<Vec<Vec<String>>, TableFaults> {
     let mut lines = Lines::open(bytes).unwrap();
     let headings = lines.headings().to_vec();
-    let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
+    let headings: Vec<MeantHeading> = headings.iter().map(|heading| heading.as_str().into()).collect();
     let options = Options { commas: lines.commas(), ..Options::default() };
     let mut head = Head::of(("axis.toml", MOVE), &NoFiles, &headings, options);
     let (mut parts, mut rows) = (Vec::new(), 0);

@@ -3,7 +3,7 @@
 
 use super::cells::Decimals;
 use super::template::{Screens, Templates};
-use super::{CODE, CellFault, Cells, Column, Holds, Options, Sweep, TableFaults};
+use super::{CODE, CellFault, Cells, Column, Holds, MeantHeading, Options, Sweep, TableFaults};
 use crate::list::Unanswered;
 use crate::reading::{Unread, read_all_with};
 use crate::sizing_use::products_of;
@@ -50,7 +50,7 @@ struct Axis {
 impl Head {
     /// Reads a project, from its name and text, and the headings of a table for it.
     #[must_use]
-    pub fn of((name, text): (&str, &str), files: &dyn Files, headings: &[&str], options: Options) -> Self {
+    pub fn of((name, text): (&str, &str), files: &dyn Files, headings: &[MeantHeading], options: Options) -> Self {
         let unread = |faults| Unanswered::unread(Unread::Faults(faults), name, text, options.language);
         let projects = read_all_with(text, files, &options.catalogue).map_err(unread);
         Self::read(text, projects, headings, options)
@@ -61,7 +61,7 @@ impl Head {
     pub fn read(
         text: &str,
         projects: Result<Vec<AxisProject>, Unanswered>,
-        headings: &[&str],
+        headings: &[MeantHeading],
         options: Options,
     ) -> Self {
         let known = written(text);
@@ -87,10 +87,14 @@ impl Head {
             is_misread: false,
             options,
         };
-        let counted = Counted::of(headings.iter().copied());
+        let counted = Counted::of(headings.iter().map(|heading| &*heading.meant));
         for (number, heading) in (1..).zip(headings) {
             let column = head.column((number, heading), counted, known.as_deref()).map_err(|objection| {
-                head.faults.add(CellFault::of(heading, None, &objection, head.options.language));
+                // Of two columns for one key, that with a word for it may be a label.
+                let of_key = |other: &&Column| other.is_by_word() && matches!(&objection.0, Fault::Tabular(TabularFault::ColumnTwice { path }) if *path == other.key());
+                let word = head.columns.iter().flatten().find(of_key).filter(|_| !heading.is_by_word());
+                let written = word.map_or(&*heading.written, |word| &*word.written).to_owned();
+                head.faults.add(CellFault::of(&written, None, &objection, head.options.language));
             });
             head.columns.push(column.ok());
         }
@@ -106,10 +110,11 @@ impl Head {
 
     fn column(
         &self,
-        (number, heading): (usize, &str),
+        (number, asked): (usize, &MeantHeading),
         counted: Counted,
         known: Option<&[Written]>,
     ) -> Result<Column, Objection> {
+        let heading = &*asked.meant;
         if heading.trim().is_empty() {
             return Err((Fault::Tabular(TabularFault::NoHeading { number }), None));
         }
@@ -134,7 +139,7 @@ impl Head {
             };
             return Err((Fault::Tabular(fault), nearest.map(with_unit).map(Hint::DidYouMean)));
         }
-        let column = Column { written: heading.to_owned(), holds };
+        let column = Column { written: asked.written.clone(), holds, is_opposite: asked.is_opposite };
         if self.columns.iter().flatten().any(|other| other.key() == column.key()) {
             return Err((Fault::Tabular(TabularFault::ColumnTwice { path: column.key().to_owned() }), None));
         }
@@ -144,6 +149,10 @@ impl Head {
     /// Returns the heading that an unknown one stands for, else one that the project can have.
     fn meant(&self, heading: &str, known: Option<&[Written]>) -> Option<Hint> {
         let own = self.axis.path().unwrap_or_default();
+        let dwells = known.map(|known| project::times_for_cycle(known, &own, heading)).unwrap_or_default();
+        if !dwells.is_empty() {
+            return Some(Hint::ValidAre(dwells));
+        }
         let stated: Vec<&str> = known.into_iter().flatten().filter_map(|each| each.path.strip_prefix(&own)).collect();
         project::nearest_heading(heading, &stated).or_else(|| Some(Hint::Example(EXAMPLE.to_owned())))
     }

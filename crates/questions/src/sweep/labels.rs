@@ -2,12 +2,36 @@
 #![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 use super::{CODE, CellFault};
-use project::{headings_meant, is_label, written};
+use project::{HeadingMeant, headings_meant, is_label, written};
 use quantities::{Language, seen};
 use words::sweeps;
 
 /// Name of a first column without a heading, as spreadsheets and data frames write the numbers of their rows.
 const INDEX: &str = "index";
+
+/// Heading of a column of keys.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MeantHeading {
+    /// Heading in the table.
+    pub written: String,
+    /// Heading with the path of the key; the written one if it is no word for a key.
+    pub meant: String,
+    /// `true` if the key has the values of the cells with the opposite sign.
+    pub is_opposite: bool,
+}
+
+impl MeantHeading {
+    /// Returns `true` if a word stands for the key.
+    pub(super) fn is_by_word(&self) -> bool {
+        self.written != self.meant
+    }
+}
+
+impl From<&str> for MeantHeading {
+    fn from(heading: &str) -> Self {
+        Self { written: heading.to_owned(), meant: heading.to_owned(), is_opposite: false }
+    }
+}
 
 /// Columns of a table by their places.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -42,7 +66,7 @@ impl TableColumns {
 
     /// Returns the headings of the keys as a project means them, from its text: a word that stands for the key of every move has a
     /// column for each of them.
-    pub fn as_meant(&mut self, headings: &[&str], text: &str, axis: Option<&str>) -> Vec<String> {
+    pub fn as_meant(&mut self, headings: &[&str], text: &str, axis: Option<&str>) -> Vec<MeantHeading> {
         let all = written(text).unwrap_or_default();
         let value = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
         let is_there = |place: &usize| all.iter().any(|each| each.path == format!("axis[{place}]"));
@@ -51,7 +75,11 @@ impl TableColumns {
         let prefix = named.map(|place| format!("axis[{place}].")).unwrap_or_default();
         let keys = self.keys.iter().filter_map(|place| Some((*place, *headings.get(*place)?)));
         let meant = keys.flat_map(|(place, heading)| {
-            headings_meant(&all, &prefix, heading).into_iter().map(move |heading| (place, heading))
+            let with_written = move |meant: HeadingMeant| {
+                let HeadingMeant { heading: meant, is_opposite } = meant;
+                (place, MeantHeading { written: heading.to_owned(), meant, is_opposite })
+            };
+            headings_meant(&all, &prefix, heading).into_iter().map(with_written)
         });
         let (places, meant) = meant.unzip();
         self.keys = places;

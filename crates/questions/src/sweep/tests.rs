@@ -215,7 +215,7 @@ fn thousands_in_a_table_are_refused() {
     let found = |rows: &[[&'static str; 2]], commas: Commas| {
         let options = Options { commas, ..Options::default() };
         let headings = ["load.inertia [kg cm^2]", "motion[1].time [ms]"];
-        let mut head = Head::of(("axis.toml", MOVE), &NoFiles, &headings, options);
+        let mut head = Head::of(("axis.toml", MOVE), &NoFiles, &headings.map(MeantHeading::from), options);
         let column = |place: usize| Cells::Texts(rows.iter().map(|row| Some(row[place].into())).collect());
         head.check(&[column(0), column(1)], 0);
         match head.ready("t.csv", Box::new(NoFiles)) {

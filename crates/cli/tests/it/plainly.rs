@@ -1,0 +1,149 @@
+//! Calls that are plain though they lack a word or state it elsewhere: ratios, codes without a project, a file without a name.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
+
+use crate::refusals::{call, named};
+
+/// A folder with two projects, so that none of them is plainly meant.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for kind in ["arm", "belt"] {
+        let made = call(folder.path(), &format!("antrieb new {kind} --out {kind}.toml"));
+        assert_eq!(made.code, 0, "{}", made.err);
+    }
+    folder
+}
+
+const A: &str = "CHA-25A-50-H-C1024";
+const B: &str = "CHA-25A-80-H-C1024";
+
+#[test]
+fn a_ratio_of_the_catalogue_is_that_of_the_actuator_in_all_commands() {
+    let folder = folder();
+    for (written, parts) in [
+        ("size arm.toml --ratio 50,100", &["antrieb sweep arm.toml --vary code=", "-50-", "-100-"][..]),
+        ("size arm.toml --ratio 50", &["antrieb check arm.toml --code ", "-50-", "the best of them"]),
+        ("check arm.toml ratio=100", &["antrieb check arm.toml --code ", "-100-"]),
+        ("check arm.toml Untersetzung 100", &["-100-"]),
+        ("simulate arm.toml --gear-ratio 80", &["-80-"]),
+        ("sweep arm.toml --ratio 30..100", &["-30-", "-50-", "-80-", "-100-"]),
+        ("sweep arm.toml --vary ratio=50,100", &["-50-", "-100-"]),
+        ("sweep arm.toml ratio 50,100", &["-50-", "-100-"]),
+        ("compare arm.toml --ratio 50,100", &["antrieb compare arm.toml --code ", "-50-", "-100-"]),
+        ("check belt.toml --ratio 50", &["-50-"]),
+    ] {
+        let found = call(folder.path(), &format!("antrieb {written}"));
+        assert!(found.code < 2, "{written}\n{}", found.err);
+        for part in parts {
+            assert!(found.err.contains(part), "{written}: {part}\n{}", found.err);
+        }
+    }
+    // No ratio of the catalogue.
+    let other = call(folder.path(), "antrieb check arm.toml --ratio 55");
+    assert_eq!((other.code, other.out.as_str()), (2, ""), "{}", other.err);
+}
+
+#[test]
+fn codes_without_a_project_are_compared_by_their_data() {
+    let folder = folder();
+    for written in [format!("compare {A} {B}"), format!("Vergleich {A} {B}"), format!("compare --code {A} --code {B}")] {
+        let found = call(folder.path(), &format!("antrieb {written}"));
+        assert_eq!(found.code, 0, "{written}\n{}", found.err);
+        assert!(found.err.contains(&format!("antrieb data {A} --beside {B}")), "{}", found.err);
+        assert!(found.out.contains(A) && found.out.contains(B) && found.out.contains("k_Tout"), "{}", found.out);
+    }
+    for wrong in [format!("data {A} --beside {B} --json"), format!("data {A} --beside CHA-25A-85-H-C1024")] {
+        assert_eq!(call(folder.path(), &format!("antrieb {wrong}")).code, 2, "{wrong}");
+    }
+}
+
+#[test]
+fn a_workbook_without_a_name_stands_beside_its_project_and_replaces_nothing() {
+    let folder = folder();
+    for (written, code) in [("workbook arm.toml", 0), ("Mappe arm.toml", 2), ("export belt.toml", 0)] {
+        let found = call(folder.path(), &format!("antrieb {written}"));
+        assert_eq!(found.code, code, "{written}\n{}", found.err);
+    }
+    assert!(folder.path().join("arm.xlsx").is_file() && folder.path().join("belt.xlsx").is_file());
+}
+
+#[test]
+fn a_value_of_another_command_leads_to_it() {
+    let folder = folder();
+    for written in [format!("wiring {A} --sinamics"), format!("wiring {A} sinamics"), format!("data {A} --sinamics")] {
+        let found = call(folder.path(), &format!("antrieb {written}"));
+        let calls = named(&found.err);
+        assert_eq!(found.code, 2, "{written}");
+        assert_eq!(calls.first(), Some(&format!("antrieb commission {A} --for sinamics")), "{written}\n{}", found.err);
+        assert_eq!(call(folder.path(), &calls[0]).code, 0, "{written}");
+    }
+}
+
+#[test]
+fn a_change_of_the_load_is_no_project_of_this_kind() {
+    let folder = folder();
+    for written in ["size arm.toml load +5kg", "check arm.toml load +5kg", "size arm.toml +5kg load"] {
+        let found = call(folder.path(), &format!("antrieb {written}"));
+        assert!(found.code < 2 && found.err.contains("mechanism.arm.mass 4 kg → 9 kg"), "{written}\n{}", found.err);
+    }
+}
+
+#[test]
+fn help_on_a_check_names_it_and_the_call_that_derives_it() {
+    let folder = folder();
+    for (written, parts) in [
+        ("help thermal", ["winding temperature", "antrieb explain arm.toml --check thermal"]),
+        ("help continuous_torque", ["continuous torque", "--check continuous_torque"]),
+        ("Hilfe thermal", ["Wicklungstemperatur", "--check thermal"]),
+    ] {
+        let found = call(folder.path(), &format!("antrieb {written}"));
+        assert_eq!(found.code, 0, "{written}\n{}", found.err);
+        assert!(parts.iter().all(|part| found.out.contains(part)), "{written}\n{}", found.out);
+    }
+}
+
+#[test]
+fn a_run_without_a_code_is_that_of_the_best_actuator() {
+    let folder = folder();
+    let run = call(folder.path(), "antrieb simulate arm.toml --out run.csv");
+    assert!(run.code < 2, "{}", run.err);
+    let found = call(folder.path(), "antrieb identify arm.toml run.csv");
+    assert!(found.code < 2 && found.err.contains("the best of the ranking"), "{}", found.err);
+    // A record states what the call does.
+    assert_eq!(call(folder.path(), "antrieb identify arm.toml run.csv --json").code, 2);
+}
+
+/// A table of words has the answers of the table of keys.
+#[test]
+fn headings_by_words_are_columns_of_every_move() {
+    let folder = folder();
+    let sweep = |name: &str, table: &str| {
+        std::fs::write(folder.path().join(format!("{name}.csv")), table).unwrap();
+        let found = call(folder.path(), &format!("antrieb sweep arm.toml --table {name}.csv --out {name}-best.csv"));
+        let answers = std::fs::read_to_string(folder.path().join(format!("{name}-best.csv"))).unwrap_or_default();
+        (found, answers)
+    };
+    let (_, keys) = sweep("keys", "motion[1].distance [deg],motion[3].distance [deg]\n60,-60\n120,-120\n");
+    assert!(keys.lines().count() == 3, "{keys}");
+    for heading in ["distance [deg]", "Weg [deg]", "Winkel [deg]", "angle [deg]"] {
+        let (found, words) = sweep("words", &format!("{heading}\n60\n120\n"));
+        assert_eq!(words, keys, "{heading}\n{}", found.err);
+        std::fs::remove_file(folder.path().join("words-best.csv")).unwrap();
+    }
+    // Dwells fill a cycle; a table states their times.
+    for heading in ["cycle [s]", "Zyklus [s]", "Taktzeit [s]"] {
+        let (found, _) = sweep("cycle", &format!("{heading}\n5\n6\n"));
+        assert_eq!(found.code, 2);
+        assert!(found.err.contains("motion[2].time [s]") && found.err.contains("label_"), "{heading}\n{}", found.err);
+    }
+    // A heading that is understood and cannot stand names the label too.
+    let (found, _) = sweep("twice", "motion[1].time [s],time [s]\n1,2\n");
+    assert!(found.code == 2 && found.err.contains("label_time"), "{}", found.err);
+}
+
+#[test]
+fn decimal_commas_of_a_binary_file_are_refused_once() {
+    let folder = folder();
+    let found = call(folder.path(), "antrieb sweep arm.toml --vary time=1,2s --out a.parquet --decimal-comma");
+    assert_eq!(found.code, 2);
+    assert_eq!(found.err.matches("--decimal-comma").count(), 1, "{}", found.err);
+}
