@@ -112,8 +112,8 @@ texts! {
     sweep_steps =
         "Values of each range (11)" | "Werte je Bereich (11)";
     data_beside =
-        "Further actuator, two to five in all: their main data side by side in place of the data sheet; may be repeated"
-        | "weiterer Antrieb, insgesamt zwei bis fünf: ihre Hauptdaten nebeneinander anstelle des Datenblatts; mehrfach möglich";
+        "Further actuator, two to five in all: their main data side by side in place of the data sheet"
+        | "weiterer Antrieb, insgesamt zwei bis fünf: ihre Hauptdaten nebeneinander anstelle des Datenblatts";
     sweep_inputs =
         "Columns beside the results: those of the table, with all also the values that the project states"
         | "Spalten neben den Ergebnissen: die der Tabelle, mit all auch die im Projekt angegebenen Werte";
