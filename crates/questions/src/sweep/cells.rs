@@ -99,7 +99,7 @@ impl CellFault {
 
 /// Returns the name under which a column is carried instead of read as a key; `None` for a heading that is a path.
 fn label_of(heading: &str) -> Option<String> {
-    if Heading::is_one(heading) {
+    if heading.trim() == super::CODE || Heading::is_one(heading) {
         return None;
     }
     let name = heading.split('[').next().unwrap_or_default().trim();
