@@ -10,6 +10,7 @@ pub mod csv;
 mod head;
 mod judged;
 mod labels;
+mod meant;
 pub mod sample;
 mod summary;
 mod template;
@@ -18,7 +19,8 @@ use cells::Decimals;
 pub use cells::{CellFault, Cells, TableFaults};
 pub use head::Head;
 pub use judged::{Best, Every, Judged, OnFront};
-pub use labels::{MeantHeading, TableColumns};
+pub use labels::TableColumns;
+pub use meant::MeantHeading;
 pub use summary::{MissedBy, NotJudged, SweepRow, SweepSummary, Tally};
 
 use crate::codes::read_code;

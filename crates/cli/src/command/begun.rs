@@ -37,7 +37,7 @@ pub(crate) fn with_command(mut arguments: Vec<OsString>, language: Language) -> 
         return (arguments, true);
     }
     if command_named(first) == Some("compare")
-        && let Some(words) = beside(behind, language)
+        && let Some(words) = data_of_codes(behind, language)
     {
         arguments.splice(place.., words.into_iter().map(OsString::from));
         return (arguments, true);
@@ -76,7 +76,7 @@ fn with_brake(words: &[&str]) -> Option<Vec<String>> {
 
 /// Returns the call that shows the data of the codes of a comparison side by side, where no project is stated and the folder has
 /// none that is plainly meant.
-fn beside(words: &[&str], language: Language) -> Option<Vec<String>> {
+fn data_of_codes(words: &[&str], language: Language) -> Option<Vec<String>> {
     let is_project = |word: &&str| has_ending(word, &[".toml"]) || *word == "-" || Path::new(word).exists();
     if words.iter().any(|word| is_project(word) || *word == "--json") || projects_in(Path::new("")).len() == 1 {
         return None;

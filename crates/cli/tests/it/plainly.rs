@@ -45,7 +45,8 @@ fn a_ratio_of_the_catalogue_is_that_of_the_actuator_in_all_commands() {
 #[test]
 fn codes_without_a_project_are_compared_by_their_data() {
     let folder = folder();
-    for written in [format!("compare {A} {B}"), format!("Vergleich {A} {B}"), format!("compare --code {A} --code {B}")] {
+    for written in [format!("compare {A} {B}"), format!("Vergleich {A} {B}"), format!("compare --code {A} --code {B}")]
+    {
         let found = call(folder.path(), &format!("antrieb {written}"));
         assert_eq!(found.code, 0, "{written}\n{}", found.err);
         assert!(found.err.contains(&format!("antrieb data {A} --beside {B}")), "{}", found.err);

@@ -2,8 +2,9 @@
 #![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 use super::cells::Decimals;
+use super::meant::MeantHeading;
 use super::template::{Screens, Templates};
-use super::{CODE, CellFault, Cells, Column, Holds, MeantHeading, Options, Sweep, TableFaults};
+use super::{CODE, CellFault, Cells, Column, Holds, Options, Sweep, TableFaults};
 use crate::list::Unanswered;
 use crate::reading::{Unread, read_all_with};
 use crate::sizing_use::products_of;

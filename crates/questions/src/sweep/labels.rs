@@ -1,6 +1,7 @@
 //! Columns of a table that are no keys: they identify its rows and are carried into the answer.
 #![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
+use super::meant::MeantHeading;
 use super::{CODE, CellFault};
 use project::{HeadingMeant, headings_meant, is_label, written};
 use quantities::{Language, seen};
@@ -8,30 +9,6 @@ use words::sweeps;
 
 /// Name of a first column without a heading, as spreadsheets and data frames write the numbers of their rows.
 const INDEX: &str = "index";
-
-/// Heading of a column of keys.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct MeantHeading {
-    /// Heading in the table.
-    pub written: String,
-    /// Heading with the path of the key; the written one if it is no word for a key.
-    pub meant: String,
-    /// `true` if the key has the values of the cells with the opposite sign.
-    pub is_opposite: bool,
-}
-
-impl MeantHeading {
-    /// Returns `true` if a word stands for the key.
-    pub(super) fn is_by_word(&self) -> bool {
-        self.written != self.meant
-    }
-}
-
-impl From<&str> for MeantHeading {
-    fn from(heading: &str) -> Self {
-        Self { written: heading.to_owned(), meant: heading.to_owned(), is_opposite: false }
-    }
-}
 
 /// Columns of a table by their places.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
