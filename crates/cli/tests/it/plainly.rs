@@ -49,7 +49,7 @@ fn codes_without_a_project_are_compared_by_their_data() {
     {
         let found = call(folder.path(), &format!("antrieb {written}"));
         assert_eq!(found.code, 0, "{written}\n{}", found.err);
-        assert!(found.err.contains(&format!("antrieb data {A} --beside {B}")), "{}", found.err);
+        assert!(found.err.contains(&format!("data {A} --beside {B}")), "{}", found.err);
         assert!(found.out.contains(A) && found.out.contains(B) && found.out.contains("k_Tout"), "{}", found.out);
     }
     for wrong in [format!("data {A} --beside {B} --json"), format!("data {A} --beside CHA-25A-85-H-C1024")] {
@@ -144,7 +144,7 @@ fn headings_by_words_are_columns_of_every_move() {
 #[test]
 fn decimal_commas_of_a_binary_file_are_refused_once() {
     let folder = folder();
-    let found = call(folder.path(), "antrieb sweep arm.toml --vary time=1,2s --out a.parquet --decimal-comma");
+    let found = call(folder.path(), "antrieb sweep arm.toml --vary time=1;2s --out a.parquet --decimal-comma");
     assert_eq!(found.code, 2);
     assert_eq!(found.err.matches("--decimal-comma").count(), 1, "{}", found.err);
 }

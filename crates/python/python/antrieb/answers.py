@@ -885,6 +885,8 @@ class SweepRow(Record):
     """Utilisation of its governing check; where none fits that of the nearest miss."""
     tightest: CheckId | None = None
     """Identifier of this check."""
+    stage_ratio: float | None = None
+    """Ratio of the stage chosen among several of the project."""
     error: str | None = None
     """Why the row is not judged."""
     labels: dict[str, str] | None = None
