@@ -300,7 +300,7 @@ mod tests {
         assert_eq!(rows, [("name", "b"), points[0], points[1]]);
     }
 
-    /// Numbers and quantities of a list have the decimal mark of the language, and a separator that is told from it.
+    /// Numbers and quantities of a list have the decimal mark of the language, and a separator that differs from it.
     #[test]
     fn lists_of_numbers_are_written_in_the_language() {
         for (list, english, german) in [
