@@ -21,7 +21,7 @@ pub use head::Head;
 pub use judged::{Best, Every, Judged, OnFront};
 pub use labels::TableColumns;
 pub use meant::MeantHeading;
-pub use summary::{MissedBy, NotJudged, SweepRow, SweepSummary, Tally};
+pub use summary::{MissedBy, NotJudged, SweepCheck, SweepRow, SweepSummary, Tally};
 
 use crate::codes::read_code;
 use crate::list::Unanswered;

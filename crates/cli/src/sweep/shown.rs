@@ -7,9 +7,9 @@ use crate::table::{Align, TextTable};
 use quantities::{Language, format_significant};
 use questions::CheckId;
 use questions::list::{Inquiry, Unanswered, sweep};
-use questions::sweep::{SweepRow, SweepSummary};
+use questions::sweep::{SweepCheck, SweepRow, SweepSummary};
 use questions::texts::percent;
-use words::{check_title, sweeps, terminal, terms};
+use words::{check_title, sweeps, terminal, terms, verdict_word};
 
 /// Largest number of rows that are shown; --json and a file have all of them.
 const ROWS_MOST: usize = 200;
@@ -40,18 +40,29 @@ fn table(summary: &SweepSummary, headings: &[&str], language: Language) -> Strin
     ];
     let has_ratio = summary.answers.iter().any(|row| row.stage_ratio.is_some());
     let ratio = has_ratio.then(|| (terminal::ratio_of_the_stage(language).to_owned(), Align::Right));
-    let mut table = TextTable::new(own.chain(of_answer).chain(ratio));
+    let checks: &[SweepCheck] =
+        summary.answers.iter().map(|row| row.checks.as_slice()).find(|all| !all.is_empty()).unwrap_or_default();
+    let of_checks = checks.iter().map(|check| (check_title(check.id.0, language), Align::Left));
+    let mut table = TextTable::new(own.chain(of_answer).chain(ratio).chain(of_checks));
     for row in summary.answers.iter().take(ROWS_MOST) {
         let own = headings.iter().map(|heading| row.labels.get(*heading).cloned().unwrap_or_default());
         let ratio = row.stage_ratio.as_ref().map(|ratio| format_significant(ratio.0, 4, language));
         let ratio = has_ratio.then(|| ratio.unwrap_or_default());
-        table.row(own.chain(answer(row, language)).chain(ratio).collect::<Vec<_>>());
+        let checks = row.checks.iter().map(|check| checked(check, language));
+        table.row(own.chain(answer(row, language)).chain(ratio).chain(checks).collect::<Vec<_>>());
     }
     let mut text = table.render();
     if summary.answers.len() > ROWS_MOST {
         text.push_str(&format!("{}\n", sweeps::shown_rows(&ROWS_MOST, &summary.answers.len(), language)));
     }
     text
+}
+
+/// Returns the verdict of a check with its utilisation; empty if there is none.
+fn checked(check: &SweepCheck, language: Language) -> String {
+    let verdict = check.verdict.as_ref().map(|verdict| verdict_word(verdict.0, language));
+    let share = check.utilisation.as_ref().map(|share| format!("{} %", percent(Some(share.0), language)));
+    verdict.into_iter().chain(share).collect::<Vec<_>>().join(" ")
 }
 
 /// Returns the cells of an answer: number of fitting codes, the best one, and its governing check or the reason.

@@ -202,7 +202,7 @@ fn evaluated(
     let codes = sweep.codes_of_rows(&cells(&columns, &places.keys)).unwrap_or_default();
     let rows = answers.iter().enumerate().flat_map(|(row, answer)| {
         let (labels, code) = (labels(row), codes.get(row).cloned().flatten());
-        let lines = SweepRow::of(row as u64, answer).into_iter();
+        let lines = SweepRow::of(row as u64, answer, &sweep.options().wanted).into_iter();
         lines.map(move |line| SweepRow {
             labels: labels.clone(),
             code: line.code.clone().or_else(|| code.clone()),

@@ -1,11 +1,11 @@
 //! Numbers of the results of a sweep.
 
-use super::{Answer, Every, Judged, OnFront};
+use super::{Answer, Every, Judged, OnFront, Wanted};
 use answers::{Id, Number};
 use quantities::Language;
 use schemars::JsonSchema;
 use serde::Serialize;
-use sizing::{CheckId, Fit};
+use sizing::{CheckId, Fit, Verdict};
 use std::collections::BTreeMap;
 
 /// Largest number of different reasons listed.
@@ -57,6 +57,17 @@ pub struct NotJudged {
     pub rows: u64,
 }
 
+/// Verdict and utilisation of a requested check.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SweepCheck {
+    /// Identifier of the check.
+    pub id: Id<CheckId>,
+    /// Verdict; `null` if axis or actuator do not have the check.
+    pub verdict: Option<Id<Verdict>>,
+    /// Utilisation.
+    pub utilisation: Option<Number>,
+}
+
 /// The answer of a row.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SweepRow {
@@ -75,6 +86,9 @@ pub struct SweepRow {
     /// Ratio of the stage chosen among several of the project.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stage_ratio: Option<Number>,
+    /// The requested checks of the code.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub checks: Vec<SweepCheck>,
     /// Why the row is not judged.
     pub error: Option<String>,
     /// Cells of the columns that are no keys, such as `id`, by their headings; for values that the call states those of the keys.
@@ -83,9 +97,9 @@ pub struct SweepRow {
 }
 
 impl SweepRow {
-    /// Returns the lines of the answer for a row, one for each code if there are several.
+    /// Returns the lines of the answer for a row, one for each code if there are several; `wanted` are the requested checks.
     #[must_use]
-    pub fn of(row: u64, answer: &Answer) -> Vec<Self> {
+    pub fn of(row: u64, answer: &Answer, wanted: &Wanted) -> Vec<Self> {
         let empty = || Self {
             row,
             fit: None,
@@ -94,6 +108,7 @@ impl SweepRow {
             utilisation: None,
             tightest: None,
             stage_ratio: None,
+            checks: Vec::new(),
             error: None,
             labels: BTreeMap::new(),
         };
@@ -111,7 +126,14 @@ impl SweepRow {
                 vec![Self { fit: Some(best.fit), fit_if_estimate: Some(best.fit_if_estimate), stage_ratio, ..found }]
             }
             Ok(Judged::Every(all)) => {
+                let ids = if let Wanted::Every(ids) = wanted { ids.as_slice() } else { &[] };
+                let check = |(id, found): (&CheckId, &Option<(Verdict, Option<f64>)>)| SweepCheck {
+                    id: Id(*id),
+                    verdict: found.map(|(verdict, _)| Id(verdict)),
+                    utilisation: share(found.and_then(|(_, utilisation)| utilisation)),
+                };
                 let each = |one: &Every| Self {
+                    checks: ids.iter().zip(&one.checks).map(check).collect(),
                     fit: Some(u32::from(one.fit == Fit::Fits)),
                     fit_if_estimate: Some(u32::from(one.fit == Fit::FitsIfEstimate)),
                     stage_ratio: share(one.stage_ratio),

@@ -238,9 +238,14 @@ fn every_check_of_every_drawn_mechanism_is_derived_or_has_its_reason() {
                 "load_factor = 1.2\n",
                 "load_factor = 1.2\nradial_force = \"80 N\"\nradial_distance = \"20 mm\"\n",
             ]);
-            let text = drawn.project(&motion, if drawn.bearing.is_some() { bearing } else { "" }, requirements);
-            let project = questions::read(&text.replace("single_move = true\n", ""))
-                .unwrap_or_else(|why| panic!("{text}\n{why:?}"));
+            let text = |requirements: &str| {
+                let text = drawn.project(&motion, if drawn.bearing.is_some() { bearing } else { "" }, requirements);
+                text.replace("single_move = true\n", "")
+            };
+            // Along a line there is no lever arm.
+            let read = questions::read(&text(requirements))
+                .or_else(|_| questions::read(&text(&requirements.replace("lever_arm = \"500 mm\"\n", ""))));
+            let project = read.unwrap_or_else(|why| panic!("{}\n{why:?}", text(requirements)));
             for (code, _) in catalogue_actuators().step_by(97) {
                 let Ok(candidate) = explain(&project, code) else { continue };
                 for check in &candidate.judgement.checks {

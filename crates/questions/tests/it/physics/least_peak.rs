@@ -22,7 +22,7 @@ fn a_torque_that_every_j_out_needs_rejects_an_actuator_without_it() {
         .map(|name| std::fs::read_to_string(format!("{folder}/{name}.toml")).unwrap())
         .collect();
     axes.push(
-        "format = 1\n[axis]\nsingle_move = true\n[mechanism.arm]\nmass = \"8 kg\"\ncentre_distance = \"0.5 m\"\n\
+        "format = 1\n[axis]\nsingle_move = true\n[mechanism.arm]\ninertia = \"1 kg m^2\"\nmass = \"8 kg\"\ncentre_distance = \"0.5 m\"\n\
          start_angle = \"0 deg\"\n[[motion]]\nlaw = \"trapezoid\"\ndistance = \"-20 deg\"\ntime = \"0.4 s\"\n"
             .to_owned(),
     );
