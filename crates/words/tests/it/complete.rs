@@ -143,6 +143,7 @@ fn every_named_model_has_its_page() {
 #[test]
 fn notes() {
     let figure = Amount { si: x(1.0), unit: &NEWTON_METRE };
+    let errors = actuator::ErrorBudget::default();
     let speeds = [(q(1.0), q(2.0)); 3];
     let stop =
         |permitted| Note::BrakeStop(Box::new(BrakeStop { angle: q(1.0), time: q(1.0), energy: q(1.0), permitted }));
@@ -202,11 +203,7 @@ fn notes() {
         Note::RopeSlack(Box::new(sizing::RopeSlack { times: vec![(mechanism::Rope::Load, q(0.1), q(0.2)); 6] })),
         Note::ResonanceSpeeds(Box::new(ResonanceSpeeds { blocked: speeds, free: Some(speeds) })),
         Note::FreeRotor(q(10.0)),
-        Note::Budget(Box::new(Budget {
-            errors: actuator::ErrorBudget::default(),
-            deviation: Some(q(1e-4)),
-            is_along_the_line: true,
-        })),
+        Note::Budget(Box::new(Budget { errors, deviation: Some(q(1e-4)), is_along_the_line: true })),
         Note::Erratum(catalogue::errata().first().map_or("", |erratum| erratum.id)),
     ];
     for note in &all {
