@@ -113,8 +113,20 @@ pub struct Reserve {
     pub if_estimate: Vec<&'static str>,
     /// Names of the fields above whose value fits unless a gear rating of another manufacturer applies, `fits_if_estimate`.
     pub unless_rating: Vec<&'static str>,
+    /// Checks that could not be made, for which the values do not hold; `null` if all were made that could reject the actuator, or
+    /// without a value.
+    pub not_checked: Option<ReserveNotChecked>,
     /// Quantities not searched because of the cost; `null` if all were.
     pub not_sought: Option<NotSought>,
+}
+
+/// Checks for which the values of a reserve do not hold: they could reject the actuator and could not be made.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ReserveNotChecked {
+    /// Checks.
+    pub checks: Vec<Id<CheckId>>,
+    /// Condition in words.
+    pub text: String,
 }
 
 /// Quantities not searched: each step of the search would compute the load of a long recording again.

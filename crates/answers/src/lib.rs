@@ -69,7 +69,7 @@ pub use glossary::{Glossary, GlossarySymbol, GlossaryTerm, GlossaryWord};
 pub use id::{Availability, Fit, Id, Identified};
 pub use judged::{
     Assessed, Candidate, Influence, Judgement, Make, NeededLimit, NotSought, Quantiles, Ranked, Rejection, Reserve,
-    Sizing, Stage, StageRatio, Tolerance, ToleratedValue, WorstCorner, WouldFit,
+    ReserveNotChecked, Sizing, Stage, StageRatio, Tolerance, ToleratedValue, WorstCorner, WouldFit,
 };
 pub use laid_out::{Block, Chapter, Column, Grid, Hazard, Picture, Task};
 pub use licences::{LicenceText, Licences};

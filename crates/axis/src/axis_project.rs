@@ -184,7 +184,7 @@ impl AxisProject {
             catalogue: Arc::clone(catalogue),
             twin: root.parts.twin.get().map(twin::input).unwrap_or_default(),
             recordings: root.recordings().cloned().collect(),
-            assumptions: assumptions(root, &axis, !tolerances.is_empty()),
+            assumptions: assumptions(root, &axis, catalogue.offers_series(), !tolerances.is_empty()),
             requirements: requirements(root),
             option_1: required.and_then(|required| required.option_1.value()),
             option_2: required.and_then(|required| required.option_2.value()),
@@ -204,7 +204,7 @@ impl AxisProject {
     /// Returns the defaults used by a variant of the project. Its root has the chosen ratio in place of the stated ones, whose
     /// choice is said all the same.
     fn assumptions_of(&self, root: &AxisSource, axis: &Axis) -> Vec<Assumption> {
-        let mut found = assumptions(root, axis, !self.tolerances.is_empty());
+        let mut found = assumptions(root, axis, self.catalogue.offers_series(), !self.tolerances.is_empty());
         let is_choice = |each: &Assumption| matches!(each, Assumption::StageRatioChosen(_));
         if let Some(place) = self.assumptions.iter().position(is_choice).filter(|_| !found.iter().any(is_choice)) {
             let chosen = Assumption::StageRatioChosen(axis.mechanism.stage_ratio());

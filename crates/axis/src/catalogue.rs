@@ -24,6 +24,11 @@ pub trait Catalogue: Debug + Send + Sync {
     /// Returns the parameters of an actuator of the user whose file states no value.
     fn own_actuator(&self) -> Parameters;
 
+    /// Returns `true` if it offers the series in the program.
+    fn offers_series(&self) -> bool {
+        true
+    }
+
     /// Returns `true` if it offers products of catalogue files.
     fn has_files(&self) -> bool {
         false

@@ -7,7 +7,7 @@ use crate::files::Files;
 use crate::own::stated;
 use crate::sourced::Origin;
 use actuator::{Battery, Parameters};
-use configurator::{Offer, Product, ProductId};
+use configurator::{Offer, Price, Product, ProductId};
 use project::sections::{ActuatorEntry, CatalogueHead, CatalogueSection, Section, Stated, StatedField};
 use project::{CATALOGUE_MAX_BYTES, Diagnostic, Fault, ReadCatalogue, decoded, offset, place, read_catalogue};
 use provenance::Datum;
@@ -59,6 +59,10 @@ impl Catalogue for FileCatalogue {
 
     fn own_actuator(&self) -> Parameters {
         self.base.own_actuator()
+    }
+
+    fn offers_series(&self) -> bool {
+        self.offers_base && self.base.offers_series()
     }
 
     fn has_files(&self) -> bool {
@@ -168,6 +172,11 @@ fn product(
     let parameters = stated(&entry.values, parameters, &origin, report);
     let maker = of(&entry.maker, |head| &head.maker);
     let series = of(&entry.series, |head| &head.series);
+    // A text without digits states no amount: `on request`.
+    let is_amount = |price: &String| price.contains(|sign: char| sign.is_ascii_digit());
+    if entry.price.get().is_some_and(|price| is_amount(price) && Price::read(price).is_none()) {
+        report.fault(entry.price.span(), AxisFault::NoPrice, None);
+    }
     let offer =
         Offer { price: entry.price.get().map(|price| price.as_str().into()), lead_time: entry.lead_time.value() };
     Some(Product::of_file(entry.id.get()?, (maker.as_deref(), series.as_deref()), parameters, offer))
@@ -214,6 +223,10 @@ fn file(name: &str, files: &dyn Files, parameters: &Parameters) -> Result<Vec<Pr
         return Err(vec![Fault::FileOutOfReach { name: name.to_owned() }.into()]);
     }
     let unopened = |error: std::io::Error| vec![Fault::File { name: name.to_owned(), trouble: (&error).into() }.into()];
+    let bytes = files.size(name).and_then(|size| usize::try_from(size).ok()).unwrap_or_default();
+    if bytes > CATALOGUE_MAX_BYTES {
+        return Err(vec![Fault::FileTooLarge { bytes, most: CATALOGUE_MAX_BYTES }.into()]);
+    }
     let mut bytes = Vec::new();
     let most = CATALOGUE_MAX_BYTES as u64 + 1;
     files.open(name).and_then(|source| source.take(most).read_to_end(&mut bytes)).map_err(unopened)?;

@@ -57,6 +57,10 @@ impl Catalogue for OwnCatalogue {
         self.catalogue.own_actuator()
     }
 
+    fn offers_series(&self) -> bool {
+        self.catalogue.offers_series()
+    }
+
     fn has_files(&self) -> bool {
         self.catalogue.has_files()
     }

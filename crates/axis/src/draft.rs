@@ -14,7 +14,7 @@ use project::{Fault, Hint};
 use sizing::{Axis, BearingDuty, BrakeTimes};
 
 /// Returns the defaults that were used.
-pub(crate) fn assumptions(root: &AxisSource, axis: &Axis, toleranced: bool) -> Vec<Assumption> {
+pub(crate) fn assumptions(root: &AxisSource, axis: &Axis, offers_series: bool, toleranced: bool) -> Vec<Assumption> {
     let mut found = Vec::new();
     let driven = driven(&root.parts);
     if let Some(driven) = driven {
@@ -26,7 +26,7 @@ pub(crate) fn assumptions(root: &AxisSource, axis: &Axis, toleranced: bool) -> V
     let required = root.parts.requirements.get().unwrap_or(&absent);
     found.extend(unstated(&required.ambient));
     found.extend(requirements::conditions_note(required));
-    found.push(Assumption::CoolingPlate);
+    found.extend(offers_series.then_some(Assumption::CoolingPlate));
     if root.parts.actuator.get().is_some_and(|own| own.values.stall_current.is_given()) {
         found.push(Assumption::OwnStallCurrentIncludesFriction);
     }

@@ -9,7 +9,7 @@ use quantities::{Language, format_number};
 use questions::list::diff::{CheckChange, Difference, revisions};
 use questions::list::{Inquiry, Unanswered};
 use questions::texts::{ValuesInRow, margin_share, percent, verdict_of, verdict_text};
-use questions::{Check, ProductId, answer};
+use questions::{Candidate, Check, ProductId, answer};
 use std::fmt::Write as _;
 use words::{check_title, terminal, terms};
 
@@ -26,13 +26,13 @@ fn text(found: &Difference<'_>, name: &str, inputs: &[InputChange], language: La
     let mut out = String::new();
     let head = if name.is_empty() { String::new() } else { format!("{name}: ") };
     let (before, after) = (verdict_of(&found.before, language), verdict_of(&found.after, language));
-    let share = |share: f64| percent(share.is_finite().then_some(share), language);
+    let share = |of: &Candidate<'_>| percent(of.utilisation().filter(|share| share.is_finite()), language);
     let _ = writeln!(
         out,
         "{head}{} {before} ({} %) → {after} ({} %)",
         found.after.id,
-        share(found.before.standing.utilisation),
-        share(found.after.standing.utilisation),
+        share(&found.before),
+        share(&found.after),
     );
     let none = terminal::none_fits(language);
     let best = |id: &Option<ProductId>| id.as_ref().map_or_else(|| none.to_owned(), ToString::to_string);

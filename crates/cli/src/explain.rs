@@ -2,7 +2,7 @@
 
 use crate::answer::CommandAnswer;
 use crate::call::Call;
-use crate::reserve::{assumptions_text, best_text};
+use crate::reserve::assumptions_about;
 use crate::table::{hanging, paragraph};
 use crate::waiting::progress;
 use answers::Node;
@@ -34,7 +34,7 @@ fn derivations(project: &AxisProject, candidate: &Candidate<'_>, checks: &[&Chec
         out.push_str(&text(check, language));
         out.push('\n');
     }
-    out + &best_text(candidate, language) + &assumptions_text(&project.assumptions, language)
+    out + &assumptions_about(project, candidate, language)
 }
 
 fn heading(check: &Check, language: Language) -> String {

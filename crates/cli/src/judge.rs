@@ -2,7 +2,7 @@
 
 use crate::answer::CommandAnswer;
 use crate::call::Call;
-use crate::reserve::{assumptions_text, best_text, reserve_text};
+use crate::reserve::{assumptions_about, assumptions_text, reserve_text};
 use crate::table::{Align, TextTable, labelled, paragraph, width};
 use crate::waiting::progress;
 use crate::{moves, report, tolerance};
@@ -91,7 +91,7 @@ fn side_by_side(inquiry: &Inquiry<'_>, args: &size::Args, language: Language) ->
                 file_name(&source.name).to_owned(),
                 project.name.clone(),
                 format!("{} {verdict}", named.id),
-                percent(Some(named.standing.utilisation), language),
+                percent(named.utilisation(), language),
                 named.governing().map(|check| title_of_check(check, language)).unwrap_or_default(),
                 demand(|demand| demand.torque_rms.si(), &NEWTON_METRE),
                 demand(|demand| demand.torque_peak.si(), &NEWTON_METRE),
@@ -229,7 +229,7 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> TextTab
         table.row([
             (index + 1).to_string(),
             product_text(candidate),
-            percent(Some(candidate.standing.utilisation), language),
+            percent(candidate.utilisation(), language),
             candidate.governing().map(|check| title_of_check(check, language)).unwrap_or_default(),
             judgement.demand.map(|d| shown(d.torque_rms.si(), &NEWTON_METRE, language)).unwrap_or_default(),
             mass.map(|m| marked(format_number(KILOGRAM.from_si(m.value.si()), 1, language), m.errata))
@@ -429,7 +429,7 @@ pub(crate) fn check(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
 fn verification_text(found: &Verification<'_>, language: Language) -> String {
     let (project, candidate) = (found.project, &found.candidate);
     let reserve = reserve_text(&found.reserve, candidate, language);
-    let assumed = best_text(candidate, language) + &assumptions_text(&project.assumptions, language);
+    let assumed = assumptions_about(project, candidate, language);
     let one_line = format!("{} · {}: {}", project.name, candidate.id, standing_text(candidate, language));
     let head = match (project.name.is_empty(), one_line.chars().count() > width()) {
         (true, _) => String::new(),

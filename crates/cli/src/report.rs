@@ -12,7 +12,6 @@ use page::{Press, ReportInputs};
 use quantities::Language;
 use questions::list::commission::{DriveForm, usual_ambient};
 use questions::list::mount::MountInputs;
-use questions::list::upkeep::UpkeepInputs;
 use questions::list::{Inquiry, Unanswered, report as args};
 use questions::texts::standing_text;
 use questions::{Candidate, Draw, ProductId, Progress, Refusal, Rejected, Sizing, answer, chapter};
@@ -242,7 +241,7 @@ fn installation(
         chapters.push(chapter::commission(&sheet, &[], language));
     }
     if let Some(delivered) = delivered {
-        let inquiry = UpkeepInputs { delivered, storage: None, hours_per_day: None, inspect: None, today: None };
+        let inquiry = questions::list::upkeep::of_the_project(project, delivered);
         let plan = questions::list::upkeep::upkeep(code, &inquiry, language).map_err(|(_, what, hint)| (what, hint))?;
         chapters.push(chapter::upkeep(&answer::upkeep(&plan, language), language));
     }

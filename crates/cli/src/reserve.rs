@@ -1,6 +1,7 @@
 //! Reserve or deficit of a candidate, and the assumptions, as text.
 
 use crate::table::labelled;
+use axis::AxisProject;
 use quantities::Language;
 use questions::texts::reserve_lines;
 use questions::{Candidate, Reserve};
@@ -12,9 +13,12 @@ pub(crate) fn assumptions_text(assumptions: &[axis::Assumption], language: Langu
     assumptions.iter().map(|assumption| labelled(head, &assumption_text(*assumption, language))).collect()
 }
 
-/// Returns the assumption about the actuator of the answer; empty if one is stated.
-pub(crate) fn best_text(candidate: &Candidate<'_>, language: Language) -> String {
-    candidate.how_named(language).map(|text| labelled(terms::assumed(language), &text)).unwrap_or_default()
+/// Returns the assumptions of an answer about one actuator, first that about the actuator if none is stated.
+pub(crate) fn assumptions_about(project: &AxisProject, candidate: &Candidate<'_>, language: Language) -> String {
+    let best = candidate.how_named(language).map(|text| labelled(terms::assumed(language), &text)).unwrap_or_default();
+    let mut concerning = project.assumptions.clone();
+    concerning.retain(|assumption| candidate.is_concerned_by(*assumption));
+    best + &assumptions_text(&concerning, language)
 }
 
 /// Returns the permissible change of each quantity with all others unchanged; for an actuator that does not fit, also

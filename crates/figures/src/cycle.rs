@@ -167,7 +167,9 @@ pub fn cycle(
         chart = chart.panel(panel);
         height += PANEL_MM;
     }
-    let texts = (pictures::cycle_caption(language).to_owned(), description(&course, project, language));
+    let has_inertia = candidate.parameters.inertia_out.known().is_some();
+    let caption = if has_inertia { pictures::cycle_caption } else { pictures::cycle_caption_of_the_load };
+    let texts = (caption(language).to_owned(), description(&course, project, language));
     let of = subject(candidate, &project.name);
     Drawing::new(Figure::Cycle, &of, (WIDTH_MM, height), texts, Chart::Stacked(chart), language)
 }

@@ -72,9 +72,10 @@ pub fn nearest<'s>(sizing: &'s Sizing<'_>, by: By, place: MapPoint) -> Option<&'
     all.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(id, _)| id)
 }
 
-/// Returns the point of a candidate in the map; `None` if its excess is so large that it is left out.
+/// Returns the point of a candidate in the map; `None` if no check has a margin, or if its excess is so large that it is left
+/// out.
 fn point(by: By, candidate: &Candidate<'_>) -> Option<(f64, f64)> {
-    let margin = 1.0 - candidate.standing.utilisation;
+    let margin = 1.0 - candidate.utilisation()?;
     (margin >= MARGIN_MIN).then_some((by.unit().from_si(by.of(candidate)?), margin * 100.0))
 }
 
@@ -171,7 +172,9 @@ fn description(
     let mut text = pictures::how_many_fit(&all.len(), &fitting, language);
     let sentence = |candidate: &Candidate<'_>| {
         let figure = by.of(candidate).map_or_else(|| "–".to_owned(), |si| amount(si, by.unit(), language));
-        let margin = 1.0 - candidate.standing.utilisation;
+        let Some(margin) = candidate.utilisation().map(|share| 1.0 - share) else {
+            return pictures::candidate_not_checked(&candidate.id, &figure, language);
+        };
         if !margin.is_finite() {
             return pictures::candidate_without_margin(&candidate.id, &figure, language);
         }

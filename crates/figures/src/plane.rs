@@ -286,12 +286,17 @@ fn has_short_time(plane: &Plane) -> bool {
 
 /// Returns the known ones of largest torque and largest speed, for an actuator whose curves cannot be drawn.
 fn known(candidate: &Candidate<'_>) -> [Option<(f64, &'static str, String)>; 2] {
-    let of = |id: CheckId, unit: &'static Unit, symbol: &'static str| {
-        let check = candidate.judgement.checks.iter().find(|check| check.id == id)?;
-        let limit = check.limit.filter(|limit| limit.si > 0.0)?;
-        Some((unit.from_si(limit.si), symbol, check.id.id().to_owned()))
+    // A check that lacks another datum has no limit: the largest torque is then that of the data.
+    let of = |id: CheckId, stated: Option<f64>, unit: &'static Unit, symbol: &'static str| {
+        let check = candidate.judgement.checks.iter().find(|check| check.id == id);
+        let limit = check.and_then(|check| check.limit).map(|limit| limit.si).or(stated).filter(|si| *si > 0.0)?;
+        Some((unit.from_si(limit), symbol, id.id().to_owned()))
     };
-    [of(CheckId::PeakTorque, &NEWTON_METRE, "T_max"), of(CheckId::PeakSpeed, &REVOLUTION_PER_MINUTE, "n_max")]
+    let stated = candidate.parameters.torque_max.known().map(|known| known.value.si());
+    [
+        of(CheckId::PeakTorque, stated, &NEWTON_METRE, "T_max"),
+        of(CheckId::PeakSpeed, None, &REVOLUTION_PER_MINUTE, "n_max"),
+    ]
 }
 
 /// Adds the known limits: a frame if both are known, else a line across the plane.

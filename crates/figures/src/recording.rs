@@ -49,7 +49,7 @@ pub fn recording(name: &str, found: &ExaminedRecording, language: Language) -> D
         let number = |si: f64| format_significant(unit.from_si(si), 4, l);
         said.push(incoming::range_of(&name, &number(low), &number(high), &unit.symbol, l));
     }
-    let texts = (pictures::cycle_caption(l).to_owned(), said.join("; "));
+    let texts = (pictures::recording_caption(l).to_owned(), said.join("; "));
     Drawing::new(Figure::Cycle, name, (WIDTH_MM, height), texts, Chart::Stacked(chart), l)
 }
 

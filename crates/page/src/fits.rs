@@ -156,7 +156,7 @@ fn sizes_of(candidate: &Candidate<'_>) -> [Option<f64>; 3] {
 fn sorted<'s, 'p>(state: &PageState, mut found: Vec<(usize, &'s Candidate<'p>)>) -> Vec<(usize, &'s Candidate<'p>)> {
     let by: fn(&Candidate<'_>) -> Option<f64> = match state.sort {
         Sort::Rank => return found,
-        Sort::Utilisation => |each| Some(each.standing.utilisation),
+        Sort::Utilisation => |each| each.utilisation(),
         Sort::Mass => |each| each.parameters.mass.known().map(|mass| mass.value.si()),
         Sort::Length => |each| each.parameters.length.known().map(|length| length.value.si()),
         // The largest bore comes first.
@@ -252,7 +252,7 @@ fn heads(state: &PageState) -> Markup {
 fn row(state: &PageState, rank: Option<usize>, candidate: &Candidate<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
     let l = state.language;
     let name = candidate.id.to_string();
-    let share = candidate.standing.utilisation;
+    let share = candidate.utilisation();
     let number = |value: Option<f64>, digits: usize| {
         value.map_or_else(|| "–".to_owned(), |value| format_number(value, digits, l))
     };
@@ -283,8 +283,8 @@ fn row(state: &PageState, rank: Option<usize>, candidate: &Candidate<'_>, looked
                     @if candidate.leaves_load_unheld() { " " span.fail.small { (page::load_hangs(l)) } }
                 }
                 td.number title=(tightest) {
-                    (percent(Some(share), l))
-                    (checks::bar(share, candidate.governing().and_then(questions::Check::utilisation_band)))
+                    (percent(share, l))
+                    @if let Some(share) = share { (checks::bar(share, candidate.governing().and_then(questions::Check::utilisation_band))) }
                 }
                 td.number title=[(!doubted.is_empty()).then_some(&doubted)] { (marked(number(mass, 1), errata)) } td.number.length { (number(length, 0)) } td.number.bore { (number(bore, 0)) }
                 td.number.advice { @if advice > 0 { (advice) } }

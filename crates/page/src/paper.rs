@@ -57,7 +57,7 @@ fn page_of(state: &PageState, project: &AxisProject, candidate: &Candidate<'_>, 
         h2 { (word("s_tightest")) }
         (bars(candidate, l))
         @for (head, parts) in reserve_lines(&reserve, candidate, l) { p.small { strong { (capitalised(head)) ": " } (parts.join("; ")) } }
-        @let assumed = project.assumed();
+        @let assumed: Vec<_> = project.assumed().into_iter().filter(|each| candidate.is_concerned_by(each.assumption)).collect();
         @if !assumed.is_empty() {
             h2 { (page::assumed_title(l)) }
             ul.assumed-list { @for each in &assumed { li { (capitalised(&without_keys(&assumption_text(each.assumption, l), l))) } } }
@@ -66,7 +66,7 @@ fn page_of(state: &PageState, project: &AxisProject, candidate: &Candidate<'_>, 
             dt { (word("program")) } dd { "antrieb " (env!("CARGO_PKG_VERSION")) }
             @if !state.file.is_empty() { dt { (word("project")) } dd { (state.file) } }
             dt { (word("hash_project")) } dd { (project_fingerprint(&state.text, &project.recordings)) }
-            dt { (word("hash_catalogue")) } dd { (catalogue_fingerprint()) }
+            dt { (word("hash_catalogue")) } dd { (catalogue_fingerprint(&**project.catalogue())) }
         }
         div.signatures { @for role in ["prepared", "checked", "released"] { div { strong { (word(role)) } p { (word("signature")) } } } }
         p.small { (word("disclaimer")) }

@@ -1,7 +1,8 @@
 //! A judged actuator: its verdict, its governing check, the order and the counts of its checks.
 
 use actuator::Parameters;
-use configurator::{BrokenRule, Product, ProductId, Unmet};
+use axis::Assumption;
+use configurator::{BrokenRule, Product, ProductId, ProductSource, Unmet};
 use order_code::Field;
 use quantities::Language;
 use sizing::{Check, Checks, Fit, Judgement, Standing, Verdict};
@@ -61,6 +62,12 @@ impl Candidate<'_> {
         self.is_best_of_ranking.then(|| text(&self.id, language))
     }
 
+    /// Returns `true` if an assumption concerns the candidate: the plate of the manual is that of the series in the program.
+    #[must_use]
+    pub fn is_concerned_by(&self, assumption: Assumption) -> bool {
+        assumption != Assumption::CoolingPlate || self.product.source == ProductSource::Manual
+    }
+
     /// Returns `true` if no check fails, regardless of objections.
     #[must_use]
     pub fn judgement_fits(&self) -> bool {
@@ -71,6 +78,19 @@ impl Candidate<'_> {
     #[must_use]
     pub fn governing(&self) -> Option<&Check> {
         self.judgement.governing_in(self.fit())
+    }
+
+    /// Returns the utilisation of the governing check, infinite if its limit is zero or a range; `None` if no check has a
+    /// margin, so that there is no utilisation to state.
+    #[must_use]
+    pub fn utilisation(&self) -> Option<f64> {
+        self.judgement.governing().map(|_| self.standing.utilisation)
+    }
+
+    /// Returns the checks that could not be made and could reject the actuator: a reserve holds for the others only.
+    #[must_use]
+    pub fn unmade(&self) -> Vec<&Check> {
+        self.not_checked().filter(|check| !check.id.is_recommendation()).collect()
     }
 
     /// Returns the reason for the rejection: the governing check, else the first objection; `None` if the candidate

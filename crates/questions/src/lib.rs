@@ -57,7 +57,7 @@ pub use budget::{AngularError, AngularErrors, angular_errors};
 pub use chapters::read_quantity;
 pub use closed::{OpenCycle, closed, is_open_cycle};
 pub use codes::{CodeRefusal, read_code};
-pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
+pub use fingerprint::{catalogue_fingerprint, file_products, project_fingerprint};
 pub use progress::Progress;
 pub use reading::{
     Unread, embedded_catalogue, read, read_all, read_all_watched, read_all_with, read_with, with_catalogue_files,

@@ -414,6 +414,9 @@ pub fn reserve_lines(
         };
         lines.push((head, parts));
     }
+    if let Some(condition) = reserve_condition(reserve, candidate, language) {
+        lines.push((words::terms::not_checked(language), vec![condition]));
+    }
     if let Some(unsought) = &reserve.unsought {
         lines.push((terminal::not_sought(language), vec![unsought_text(unsought, language)]));
     }
@@ -424,6 +427,16 @@ pub fn reserve_lines(
         lines.push((terminal::would_fit_with_this_asked_for(language), needed.iter().map(each).collect()));
     }
     lines
+}
+
+/// Returns the condition of the values of a reserve where checks that could reject the actuator could not be made; `None` if
+/// all were, or if the reserve has no value.
+#[must_use]
+pub fn reserve_condition(reserve: &Reserve, candidate: &Candidate<'_>, language: Language) -> Option<String> {
+    let Reserve { load_factor, payload_factor, cycle_time, ambient, .. } = reserve;
+    let has_value = load_factor.is_some() || payload_factor.is_some() || cycle_time.is_some() || ambient.is_some();
+    let count = candidate.unmade().len();
+    (has_value && count > 0).then(|| terminal::only_by_the_checks_made(&count, language))
 }
 
 /// Describes a value with which an actuator fits: the key with its value, or a stage to add, and the code.

@@ -99,7 +99,7 @@ impl ReportDocument {
             altered: settings.altered.iter().map(|line| shown::tied(line)).collect(),
             program: first.dossier.fingerprints.program.clone(),
             hash_project: checks::once(dossiers().map(|dossier| &dossier.fingerprints.project)).join(", "),
-            hash_catalogue: first.dossier.fingerprints.catalogue.clone(),
+            hash_catalogue: checks::once(dossiers().map(|dossier| &dossier.fingerprints.catalogue)).join(", "),
         };
         Ok(Self {
             lang: content.language.id(),

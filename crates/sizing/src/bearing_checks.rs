@@ -5,7 +5,7 @@ use crate::bearing_workings::{
     explain_largest_moment, explain_peaks, explain_stated_moment, is_constant, largest_force, load_moment, of_mechanism,
 };
 use crate::check::{Amount, Check, CheckId, Verdict};
-use crate::comparison::{Asking, Comparison, against_asked, equation, not_checked, project};
+use crate::comparison::{Asking, Comparison, against_asked, equation, not_checked, project, unjudged};
 use crate::flange::{CycleLoads, Geometry, Peak, Peaks, with_equivalent};
 use crate::list::Outcome;
 use crate::notes::{Note, Notes};
@@ -296,7 +296,7 @@ pub(crate) fn life(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
         let mean = MeanLoad::of(axis, duty, &Geometry::of(bearing));
         let equivalent = actuator::dynamic_equivalent_load(&mean.load, mean.moment, pitch.value);
         if equivalent.si() <= 0.0 {
-            return Err(Missing { symbol: "F_r" });
+            return Ok(None);
         }
         let speed = axis.moments().speed_mean();
         if speed.si() <= 0.0 {
@@ -319,11 +319,12 @@ pub(crate) fn life(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
             work.formula("L_10", &HOUR, life.si(), "10^6/(60*n_av)*(C/(f_w*P_c))^B", &source);
             work.value("L_10");
         }
-        Ok(life)
+        Ok(Some(life))
     })();
     let number = if axis.moments().is_swing() { "74.3" } else { "74.1" };
     let mut check = match found {
-        Ok(life) => {
+        Ok(None) => unloaded(id),
+        Ok(Some(life)) => {
             let asked = duty.life_min.map(Measure::si);
             work.asked("L_10_min", &HOUR, asked, id);
             against_asked(id, &HOUR, life.si(), asked, equation(number))
@@ -332,6 +333,12 @@ pub(crate) fn life(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     };
     fretting(axis, bearing, &mut check);
     Ok(check)
+}
+
+/// Returns the result of a check that divides by the load of the bearing where there is none: passed without a value, since any
+/// limit is met.
+fn unloaded(id: CheckId) -> Check {
+    Check { verdict: Verdict::Pass, notes: Note::NoBearingLoad.into(), ..unjudged(id) }
 }
 
 /// Adds a remark on small swings, which may fret the bearing independent of its rolling life, and advice if the life
@@ -428,7 +435,7 @@ pub(crate) fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let moment = Torque::from_si(largest.moment.value());
     let safety = actuator::static_safety(rating.value, &load, moment, pitch.value);
     if !safety.is_finite() {
-        return Err(Missing { symbol: "F_r" });
+        return Ok(unloaded(id));
     }
     if work.is_on() {
         match duty.loads.first().filter(|_| duty.derived.is_none() && is_constant(duty)) {

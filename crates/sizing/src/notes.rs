@@ -86,6 +86,8 @@ pub enum Note {
         /// Least swing without fretting.
         least: Angle,
     },
+    /// The output bearing carries no load: any limit is met.
+    NoBearingLoad,
     /// The gear's rating is that of an interchangeable gear of another manufacturer with the same T_R: as a limit it
     /// rejects no actuator.
     RatingOfInterchangeableGear,

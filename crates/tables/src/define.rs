@@ -81,9 +81,11 @@ impl Subject<'_> {
             column("number", terms::number, ColumnContent::Count, None, tables::number_about, l),
             column("assumption", tables::assumption, ColumnContent::Text, None, tables::assumption_about, l),
         ];
-        let rows = (1_u16..).zip(&self.project.assumptions).map(|(number, each)| {
-            vec![Cell::number(f64::from(number)), Cell::text(without_keys(&assumption_text(*each, l), l).into_owned())]
-        });
+        let concerning = self.project.assumptions.iter().filter(|each| self.chosen.is_concerned_by(**each));
+        let stated = concerning.map(|each| without_keys(&assumption_text(*each, l), l).into_owned());
+        let rows = (1_u16..)
+            .zip(self.chosen.how_named(l).into_iter().chain(stated))
+            .map(|(number, text)| vec![Cell::number(f64::from(number)), Cell::text(text)]);
         self.made("assumptions", terms::assumptions, tables::assumptions_about, columns, rows.collect())
     }
 
@@ -125,6 +127,8 @@ impl Subject<'_> {
     fn course(&self, format: Format) -> Table {
         let l = self.language;
         type Of = fn(&Sample) -> Option<f64>;
+        let has_inertia = self.chosen.parameters.inertia_out.known().is_some();
+        let of_torque = if has_inertia { tables::torque_of_course_about } else { tables::torque_of_the_load_about };
         let series: [(&str, Word, &'static Unit, Word, Of); 10] = [
             ("time", terms::time, &SECOND, tables::time_of_course_about, |s| Some(s.time_s)),
             ("position", tables::angle, &DEGREE, tables::of_the_output, |s| Some(s.position_rad)),
@@ -132,7 +136,7 @@ impl Subject<'_> {
             ("acceleration", terms::acceleration, &RADIAN_PER_SECOND_SQUARED, tables::of_the_output, |s| {
                 Some(s.acceleration_rad_s2)
             }),
-            ("torque", tables::torque, &NEWTON_METRE, tables::torque_of_course_about, |s| Some(s.torque_nm)),
+            ("torque", tables::torque, &NEWTON_METRE, of_torque, |s| Some(s.torque_nm)),
             ("current", tables::motor_current, &AMPERE, tables::motor_current_about, |s| s.current_a),
             ("power", tables::power, &WATT, tables::power_about, |s| s.power_w),
             ("winding", terms::winding, &DEGREE_CELSIUS, tables::temperature_about, |s| s.winding_k),

@@ -125,7 +125,7 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
     let count = |count: usize| Cell::number(count as f64);
     let row = |(rank, candidate): &(Option<usize>, Candidate<'_>)| {
         let data = candidate.parameters;
-        let utilisation = Cell::number(candidate.standing.utilisation);
+        let utilisation = candidate.utilisation().map_or(Cell::Empty, Cell::number);
         let margin = utilisation.as_number().map_or(Cell::Empty, |share| Cell::number(1.0 - share));
         let request: Vec<&str> = candidate.on_request.iter().map(|field| describe_field(*field, l)).collect();
         let mut row = vec![

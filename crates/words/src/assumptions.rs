@@ -58,8 +58,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "keine Umgebungstemperatur angegeben: Erwärmung für die höchste zulässige (CHA: 40 °C) gerechnet, Reibung des kalten Getriebes für 30 °C; kältere Starts sind nicht abgedeckt",
         ),
         Assumption::ConditionsWithinRange => (
-            "conditions of use that are not stated: assumed within those of the manufacturer (CHA: table 13.2)",
-            "nicht angegebene Einsatzbedingungen: innerhalb der Herstellerangaben angenommen (CHA: Tabelle 13.2)",
+            "conditions of use that are not stated: assumed within those of the manufacturer",
+            "nicht angegebene Einsatzbedingungen: innerhalb der Herstellerangaben angenommen",
         ),
         Assumption::CoolingPlate => (
             "mounted on the aluminium plate of table 13.3: the continuous-duty data are valid for this plate only",
@@ -91,7 +91,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         ),
         Assumption::OwnStallCurrentIncludesFriction => (
             "I_0 of the own actuator taken to include its no-load starting current I_NLS",
-            "Annahme: I_0 des eigenen Antriebs enthält den lastfreien Anlaufstrom I_NLS",
+            "I_0 des eigenen Antriebs enthält den lastfreien Anlaufstrom I_NLS",
         ),
         Assumption::OwnStallTorqueAboveLargest => (
             "stall torque T_0 of the own actuator above its T_max: taken as the heat limit of the motor alone; T_max limits every torque",

@@ -70,8 +70,8 @@ fn axis_fault_text(fault: &AxisFault, language: Language) -> String {
             said!(language => "{name}, line {line}, column {column}: {text}" | "{name}, Zeile {line}, Spalte {column}: {text}")
         }
         AxisFault::NoPrice => said!(language =>
-            "no price: an amount with its currency is required, without marks that group digits"
-            | "kein Preis: erforderlich ist ein Betrag mit Währung, ohne Zeichen zwischen Tausendern"
+            "no price: an amount with its currency is required; a single point or comma before three digits can be read in two ways"
+            | "kein Preis: erforderlich ist ein Betrag mit Währung; ein einzelner Punkt oder ein einzelnes Komma vor drei Ziffern ist nicht eindeutig"
         ),
         AxisFault::UnknownMaker { name, .. } => said!(language =>
             "the catalogue has no manufacturer {}" | "im Katalog steht kein Hersteller {}", recording::quoted(name, language)
@@ -116,7 +116,7 @@ fn axis_own_hint(fault: &AxisFault, language: Language) -> Option<String> {
             found.hint.as_ref().map(|hint| hint_text(hint, language)).or_else(own)
         }
         AxisFault::NoProducts => example_hint("[[actuator]]", language),
-        AxisFault::NoPrice => example_hint("price_max = \"1500 EUR\"", language),
+        AxisFault::NoPrice => example_hint("\"1500 EUR\"", language),
         AxisFault::UnknownMaker { makers, .. } => {
             let names = makers.join("; ");
             Some(said!(language => "manufacturers of the catalogue: {names}" | "Hersteller des Katalogs: {names}"))

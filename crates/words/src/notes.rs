@@ -260,6 +260,10 @@ pub fn note_text(note: &Note, language: Language) -> String {
             "in a dwell in which nothing holds the load (motion.hold = \"free\") it remains at standstill only if the friction exceeds the load torque"
             | "im Stillstand ohne Halten der Last (motion.hold = \"free\") bleibt sie nur stehen, wenn die Reibung das Lastmoment übersteigt"
         ),
+        Note::NoBearingLoad => said!(language =>
+            "no load on the output bearing: any limit is met"
+            | "keine Last am Abtriebslager: jede Grenze ist eingehalten"
+        ),
         Note::NothingHoldsWithoutPower => said!(language =>
             "gravity- or tension-loaded axis and actuator without brake: the load is not held when the power is off. Choose an actuator with brake, or secure the load by other means"
             | "schwerkraft- bzw. zugbelastete Achse und Antrieb ohne Bremse: im stromlosen Zustand wird die Last nicht gehalten. Einen Antrieb mit Bremse wählen oder die Last anderweitig sichern"

@@ -27,6 +27,12 @@ texts! {
     cycle_caption =
         "Steady-state cycle on a common time axis; dashed vertical lines are segment boundaries. Torque including the inertia of the actuator. Limits far above the curve are omitted."
         | "Eingeschwungener Zyklus über gemeinsamer Zeitachse; gestrichelte senkrechte Linien sind Abschnittsgrenzen. Drehmoment einschließlich Eigenträgheit des Antriebs. Grenzen weit über dem Verlauf sind weggelassen.";
+    cycle_caption_of_the_load =
+        "Steady-state cycle on a common time axis; dashed vertical lines are segment boundaries. Torque of the load alone: the inertia of the actuator is not known. Limits far above the curve are omitted."
+        | "Eingeschwungener Zyklus über gemeinsamer Zeitachse; gestrichelte senkrechte Linien sind Abschnittsgrenzen. Drehmoment der Last allein: die Eigenträgheit des Antriebs ist nicht bekannt. Grenzen weit über dem Verlauf sind weggelassen.";
+    recording_caption =
+        "Recorded values on a common time axis, as read from the file."
+        | "Aufgezeichnete Größen über gemeinsamer Zeitachse, wie in der Datei gelesen.";
     temperature = "Temperature" | "Temperatur";
     limit_of_the_check = "limit" | "Grenze";
     torsion_of_the_gear = "Torsion of the gear" | "Torsion des Getriebes";
@@ -49,6 +55,9 @@ texts! {
     candidate_without_margin(id, figure) =
         "{id}, {figure}, without margin: a limit is zero"
         | "{id}, {figure}, ohne Reserve: eine Grenze ist null";
+    candidate_not_checked(id, figure) =
+        "{id}, {figure}, margin not known: no check could be made"
+        | "{id}, {figure}, Reserve nicht bekannt: kein Nachweis konnte geführt werden";
     candidate_with_margin(id, figure, margin) = "{id}, {figure}, margin {margin}" | "{id}, {figure}, Reserve {margin}";
     mean = "mean" | "Mittelwert";
     peaks = "peaks" | "Spitzenwerte";

@@ -11,6 +11,8 @@ texts! {
     lead_time_too_long = "lead time too long" | "Lieferzeit zu lang";
     supply_too_low = "supply voltage too low for the winding" | "Versorgungsspannung zu niedrig für die Wicklung";
     rule_of_table(table) = "rule of the ordering code, table {table}" | "Regel des Bestellschlüssels, Tabelle {table}";
+    servo_actuator = "servo actuator" | "Servoantrieb";
+    catalogue_file = "catalogue file" | "Katalogdatei";
     screws_at_the_load = "screws between flange and load" | "Schrauben zwischen Flansch und Last";
     screws_at_the_housing = "screws between housing and machine" | "Schrauben zwischen Gehäuse und Maschine";
     length_after_the_joined_part = "length to suit the clamped part" | "Länge nach dem verschraubten Bauteil";

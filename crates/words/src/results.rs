@@ -422,6 +422,19 @@ pub fn check_missing(symbol: &str, language: Language) -> String {
         return said!(language => "not stated: {symbol}" | "nicht angegeben: {symbol}");
     }
     let term = symbol_term(symbol, language);
+    // A datum of the place of installation: the project states its own.
+    match symbol {
+        "ambient_temperature_operation" => {
+            return said!(language =>
+                "not stated for the actuator: permissible ambient temperature in operation (ambient_min, ambient_max)"
+                | "für den Antrieb nicht angegeben: zulässige Umgebungstemperatur im Betrieb (ambient_min, ambient_max)"
+            );
+        }
+        "altitude" | "mounting_position" | "protection_class" | "relative_humidity" => {
+            return said!(language => "not stated for the actuator: {term}" | "für den Antrieb nicht angegeben: {term}");
+        }
+        _ => {}
+    }
     // A row that the tables name in words has no sign.
     let shown = match row_sign(symbol) {
         _ if term == symbol => term,

@@ -35,6 +35,9 @@ texts! {
     torque_of_course_about =
         "of the actuator at the output, including its own inertia"
         | "des Antriebs am Abtrieb, mit der eigenen Trägheit";
+    torque_of_the_load_about =
+        "of the load at the output; the inertia of the actuator is not known and not included"
+        | "der Last am Abtrieb, ohne die nicht bekannte Trägheit des Antriebs";
     motor_current = "motor current" | "Motorstrom";
     motor_current_about = "rms, with the sign of the torque" | "effektiv, mit dem Vorzeichen des Drehmoments";
     power = "power" | "Leistung";

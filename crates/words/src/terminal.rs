@@ -147,6 +147,9 @@ texts! {
     would_fit_with_one_of = "would fit if one of these changed" | "wäre geeignet, wenn eine der folgenden Größen geändert wird";
     checks_would_pass_with_one_of = "all checks would pass if one of these changed" | "alle Nachweise wären erfüllt, wenn eine der folgenden Größen geändert wird";
     would_fit_with_this_asked_for = "would fit if the limit of the project were" | "wäre geeignet mit dieser Grenze des Projekts";
+    only_by_the_checks_made(count) =
+        "of the checks that can rule out the actuator, {count} could not be made; the changes apply to the others only"
+        | "von den Nachweisen, die den Antrieb ausschließen können, fehlen {count}; die Änderungen gelten nur für die übrigen";
     not_sought = "not searched" | "nicht gesucht";
     load_and_pace_not_sought(samples, most) =
         "other loads and cycle times: each search step would have to recompute loads equivalent to {samples} recorded samples; above {most} this is done only if check, size or report is given a time limit with --deadline"

@@ -3,11 +3,10 @@
 use super::table::Table;
 use axis::{AxisProject, Catalogue, Files};
 use quantities::Language;
-use questions::FILE_BYTES_MAX;
 use questions::list::Unanswered;
 use questions::list::catalogue::export_csv;
+use questions::{FILE_BYTES_MAX, file_products};
 use std::collections::BTreeSet;
-use std::fmt::Write as _;
 use std::io::Read;
 use words::{Word, file_trouble, sweeps};
 
@@ -100,13 +99,7 @@ impl RunMark {
 /// Writes the products of catalogue files that the axes of a project, or the call, offer; empty without such files.
 pub(super) fn products(catalogue: &dyn Catalogue, projects: &[AxisProject]) -> String {
     let own = projects.iter().map(|project| &**project.catalogue());
-    let mut text = String::new();
-    for catalogue in std::iter::once(catalogue).chain(own).filter(|catalogue| catalogue.has_files()) {
-        for product in catalogue.products(false) {
-            let _ = writeln!(text, "{product:?}");
-        }
-    }
-    text
+    std::iter::once(catalogue).chain(own).map(file_products).collect()
 }
 
 /// Returns the identity of the running build: two of one version may differ.

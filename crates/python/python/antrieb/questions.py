@@ -712,7 +712,7 @@ def identify(
     """Estimate load, friction and torque constant from a recorded run.
 
     Args:
-        trace: Recorded run (.csv or .parquet) with the columns of a trace file; its position is the angle of the mechanism, from the same zero.
+        trace: Recorded run (.csv or .parquet) with the columns of a trace file; its position is the angle of the mechanism, times the ratio of a stage, from the same zero.
         text: The project as text, or the path of its file.
         code: Ordering code; default: the project's own [actuator].
         lang: Language of the texts: `en` or `de`.

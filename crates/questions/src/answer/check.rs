@@ -76,17 +76,21 @@ pub(super) fn assumptions_about(
         value: Some(candidate.id.to_string()),
         why,
     });
-    best.into_iter().chain(assumptions(project, language)).collect()
+    let concerning = project.assumed().into_iter().filter(|each| candidate.is_concerned_by(each.assumption));
+    best.into_iter().chain(concerning.map(|each| assumption(each, language))).collect()
 }
 
 /// Returns the assumptions, with the keys that take their place and the values in effect.
 pub(super) fn assumptions(project: &AxisProject, language: Language) -> Vec<AssumptionEntry> {
-    let entry = |each: AssumedKeys| AssumptionEntry {
-        key: (!each.keys.is_empty()).then(|| each.keys.join(", ")),
-        value: each.value,
-        why: assumption_text(each.assumption, language),
-    };
-    project.assumed().into_iter().map(entry).collect()
+    project.assumed().into_iter().map(|each| assumption(each, language)).collect()
+}
+
+fn assumption(assumed: AssumedKeys, language: Language) -> AssumptionEntry {
+    AssumptionEntry {
+        key: (!assumed.keys.is_empty()).then(|| assumed.keys.join(", ")),
+        value: assumed.value,
+        why: assumption_text(assumed.assumption, language),
+    }
 }
 
 fn figures(demand: &Demand) -> DemandFigures {

@@ -14,7 +14,7 @@ fn head(candidate: &Candidate<'_>, language: Language) -> Head {
     Head {
         code: candidate.id.to_string(),
         verdict: fit(candidate),
-        utilisation: Number(candidate.standing.utilisation),
+        utilisation: Number(candidate.utilisation().unwrap_or(f64::NAN)),
         tightest: candidate.governing().map(|check| Id(check.id)),
         open_questions: candidate.open_questions(),
         objections: objections(candidate, language),

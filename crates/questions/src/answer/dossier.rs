@@ -13,6 +13,7 @@ use crate::tolerance::Assessment;
 use actuator::ScrewJoint;
 use answers::{CheckCounts, Document, Dossier, ErratumUsed, Fingerprints, Id, Item, Missing, RejectionGroup};
 use axis::AxisProject;
+use configurator::ProductSource;
 use installation::wiring::{CableLength, CableRole};
 use order_code::Field;
 use provenance::{Datum, MANUAL, Source};
@@ -66,11 +67,11 @@ pub fn dossier(
         // An actuator that does not fit is not ordered.
         bill_of_material: if chosen.fits() { bill_of_material(chosen, language) } else { Vec::new() },
         screws: if chosen.fits() { screws(chosen, language) } else { Vec::new() },
-        documents: documents(checks, language),
+        documents: documents(chosen, checks, language),
         fingerprints: Fingerprints {
             program: program.to_owned(),
             project: project_fingerprint(text, &project.recordings),
-            catalogue: catalogue_fingerprint(),
+            catalogue: catalogue_fingerprint(&**project.catalogue()),
         },
     }
 }
@@ -91,21 +92,49 @@ fn rejections(ranked: &Sizing<'_>, language: Language) -> Vec<RejectionGroup> {
     texts::rejections(ranked, language).into_iter().map(group).collect()
 }
 
-/// Returns the documents from which the figures of the checks are taken, the manual first.
-fn documents(checks: &Checks, language: Language) -> Vec<Document> {
-    let mut ids: Vec<&'static str> = vec![MANUAL];
+/// Returns the documents from which the figures of the checks are taken, first the one of the actuator: the manual of a series
+/// in the program, or the catalogue file with the document that it names.
+fn documents(chosen: &Candidate<'_>, checks: &Checks, language: Language) -> Vec<Document> {
+    let mut ids: Vec<&'static str> = Vec::new();
+    if chosen.product.source == ProductSource::Manual {
+        ids.push(MANUAL);
+    }
+    let mut file = None;
     let sources = checks.iter().flat_map(|check| {
         let own = [&check.limit_source, &check.value_source].into_iter().flatten();
         own.chain(check.workings.iter().map(|step| &step.source))
     });
     for source in sources {
-        if let Source::Cell(cell) | Source::Published(cell) = source
-            && !ids.contains(&cell.document)
-        {
-            ids.push(cell.document);
+        let id = match source {
+            Source::Cell(cell) | Source::Published(cell) => cell.document,
+            Source::Equation { .. } => MANUAL,
+            Source::CatalogueFile { place } => {
+                file = file.or_else(|| Some(document_of_file(chosen, place, language)));
+                continue;
+            }
+            Source::Model { .. } | Source::Project { .. } | Source::NotStated { .. } => continue,
+        };
+        if !ids.contains(&id) {
+            ids.push(id);
         }
     }
-    ids.into_iter().filter_map(catalogue::document).map(|found| document(found, language)).collect()
+    let published = ids.into_iter().filter_map(catalogue::document).map(|found| document(found, language));
+    file.into_iter().chain(published).collect()
+}
+
+/// Returns a catalogue file as a reference, from the place of one of its values: file and line of the product, and the document
+/// that the file names for it.
+fn document_of_file(chosen: &Candidate<'_>, place: &str, language: Language) -> Document {
+    let (file, value) = place.split_once(": ").unwrap_or((place, ""));
+    let named = value.split_once(" (").and_then(|(_, document)| document.strip_suffix(')'));
+    Document {
+        id: file.to_owned(),
+        short: file.to_owned(),
+        title: named.map_or_else(|| records::catalogue_file(language).to_owned(), str::to_owned),
+        edition: String::new(),
+        publisher: chosen.product.manufacturer.as_deref().unwrap_or_default().to_owned(),
+        note: String::new(),
+    }
 }
 
 /// Returns a document as a reference.
@@ -170,10 +199,21 @@ fn bill_of_material(candidate: &Candidate<'_>, language: Language) -> Vec<Item> 
             .map(|field| describe_token(code, field, language))
             .collect::<Vec<_>>()
             .join("; "),
-        None => terms::own_actuator(language).to_owned(),
+        None if candidate.product.is_of_project() => terms::own_actuator(language).to_owned(),
+        None => {
+            let named = [&candidate.product.manufacturer, &candidate.product.series];
+            named.into_iter().flatten().map(AsRef::as_ref).collect::<Vec<_>>().join(", ")
+        }
     };
-    let series = terms::actuator_with_hollow_shaft(language);
-    add("1".into(), candidate.id.to_string(), format!("{series}; {parts}"), None);
+    let is_hollow = candidate.parameters.hollow_shaft.known().is_some_and(|bore| bore.value.si() > 0.0);
+    let series =
+        if is_hollow { terms::actuator_with_hollow_shaft(language) } else { records::servo_actuator(language) };
+    add(
+        "1".into(),
+        candidate.id.to_string(),
+        if parts.is_empty() { series.to_owned() } else { format!("{series}; {parts}") },
+        None,
+    );
     let joints = [(records::screws_at_the_load(language), true), (records::screws_at_the_housing(language), false)];
     for (text, load) in joints {
         let parameters = candidate.parameters;

@@ -6,7 +6,7 @@ use super::motion;
 use crate::gearing_proposals::GearingProposal;
 use crate::limits::{NeededLimit, limits_needed};
 use crate::sizing_use::{Candidate, Sizing};
-use crate::texts::{ambient_least, objection_text, unsought_text};
+use crate::texts::{ambient_least, objection_text, reserve_condition, unsought_text};
 use crate::tolerance::{Assessment, PointKind};
 use answers::{
     Assessed, Fit, Id, Influence, Judgement, Make, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
@@ -48,7 +48,7 @@ pub fn candidate(candidate: &Candidate<'_>, language: Language) -> answers::Cand
         name,
         make: candidate.is_among_makers.then(|| make(candidate)),
         verdict: fit(candidate),
-        utilisation: Number(candidate.standing.utilisation),
+        utilisation: Number(candidate.utilisation().unwrap_or(f64::NAN)),
         tightest: candidate.governing().map(|check| Id(check.id)),
         mass_kg: candidate.parameters.mass.known().map(|mass| Number::in_unit(mass.value.si(), &KILOGRAM)),
         mass_errata: candidate.parameters.mass.known().map_or_else(Vec::new, |mass| mass.errata.to_vec()),
@@ -200,6 +200,10 @@ pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>, language: Language)
         units: Units::of(&[("cycle_time", &SECOND), ("ambient", &DEGREE_CELSIUS), ("ambient_least", &DEGREE_CELSIUS)]),
         if_estimate: names(|proviso| proviso.estimate),
         unless_rating: names(|proviso| proviso.rating),
+        not_checked: reserve_condition(reserve, candidate, language).map(|text| answers::ReserveNotChecked {
+            checks: candidate.unmade().into_iter().map(|check| Id(check.id)).collect(),
+            text,
+        }),
         not_sought: reserve.unsought.map(|unsought| NotSought {
             quantities: ["load_factor", "payload_factor"]
                 .into_iter()

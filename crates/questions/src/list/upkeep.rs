@@ -9,12 +9,14 @@ use crate::sizing_use::Refusal;
 use crate::upkeep::read_storage;
 pub use crate::upkeep::{day_of_clock, read_date, read_interval, upkeep};
 use answers::Fit;
+use axis::AxisProject;
 pub use chrono::NaiveDate as Date;
 pub use installation::calendar::Interval;
 use installation::upkeep::Storage;
 pub use installation::upkeep::{Planned, Upkeep, UpkeepInputs};
 use order_code::OrderCode;
-use quantities::Time;
+use quantities::unit::DAY;
+use quantities::{Measure, Time};
 use words::help;
 use words::help::values;
 
@@ -81,6 +83,26 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<(Upkeep, answers::Upkeep), Unanswe
         .map_err(|(name, message, hint)| Unanswered::option(name, (message, hint)))?;
     let record = answer::upkeep(&plan, language);
     Ok((plan, record))
+}
+
+/// Returns the question about the maintenance of the actuator of a project: storage and operation per day as it states
+/// them. A storage of a part of a day counts as a whole one.
+#[must_use]
+pub fn of_the_project(project: &AxisProject, delivered: Date) -> UpkeepInputs {
+    let asked = &project.axis.asked;
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a positive time; one beyond the calendar is refused"
+    )]
+    let days = |time: Time| Interval::Days(DAY.from_si(time.si()).ceil() as u32);
+    UpkeepInputs {
+        delivered,
+        storage: asked.storage.map(|time| Storage::For(days(time))),
+        hours_per_day: asked.operation_per_day,
+        inspect: None,
+        today: None,
+    }
 }
 
 /// Returns the day of the clock if another day is in the future everywhere on earth: in the far east it may already be

@@ -181,3 +181,65 @@ fn nothing_offered_is_a_fault() {
     assert_eq!(found.len(), 1, "{found:?}");
     assert!(messages(project("cha = true\n", &[])).is_empty());
 }
+
+/// A cell of a file that changes a product changes the fingerprint, and no project without files has another one.
+#[test]
+fn the_fingerprint_covers_the_products_of_files() {
+    let rows = |speed: &str| format!("id;ratio;torque_max [N m];speed_max [1/min]\nA;100;28;{speed}\nB;50;20;80\n");
+    let of = |head: &str, files: &[(&'static str, String)]| {
+        questions::catalogue_fingerprint(&**project(head, files).unwrap().catalogue())
+    };
+    let own = questions::catalogue_fingerprint(&**questions::read(HEAD).unwrap().catalogue());
+    assert_eq!(own, questions::catalogue_fingerprint(&**embedded_catalogue()));
+    let mut found = vec![own];
+    for head in ["files = [\"a.csv\"]\ncha = false\n", "files = [\"a.csv\"]\n"] {
+        for speed in ["60", "61"] {
+            found.push(of(head, &[("a.csv", rows(speed))]));
+        }
+    }
+    // The products are the same with and without the series, which the project states.
+    assert_eq!((&found[1], &found[2]), (&found[3], &found[4]));
+    found.truncate(3);
+    found.sort();
+    found.dedup();
+    assert_eq!(found.len(), 3, "{found:?}");
+}
+
+/// A product of which little is stated: no figure stands for a check that could not be made.
+#[test]
+fn what_could_not_be_checked_is_no_reserve() {
+    let file =
+        "maker;id;source;ratio;speed_max [1/min];price\nM GmbH;A;list 4;100;60;on request\nM GmbH;B;list 5;100;;\n";
+    let files = [("a.csv", file.to_owned())];
+    let project = project("files = [\"a.csv\"]\ncha = false\n", &files).unwrap();
+    let sizing = size(&project);
+    let of = |id: &str| sizing.candidates.iter().find(|each| each.id.to_string() == id).unwrap();
+    let (fast, unknown) = (of("A"), of("B"));
+    assert!(fast.utilisation().is_some() && unknown.utilisation().is_none());
+    for language in Language::ALL {
+        let plate = words::assumption_text(axis::Assumption::CoolingPlate, language);
+        let reserve = questions::reserve_of(&project, fast);
+        let lines = questions::texts::reserve_lines(&reserve, fast, language);
+        assert!(lines.iter().any(|(head, _)| *head == words::terms::not_checked(language)), "{lines:?}");
+        let dossier =
+            questions::answer::dossier(&project, &sizing, fast, (&reserve, None, &[]), (HEAD, 0, "antrieb"), language);
+        assert!(dossier.judgement.reserve.not_checked.is_some_and(|found| found.checks.len() > 3));
+        assert!(dossier.judgement.assumptions.iter().all(|each| each.why != plate));
+        let cited: Vec<&str> = dossier.documents.iter().map(|each| each.title.as_str()).collect();
+        assert!(cited.first() == Some(&"list 4"), "{cited:?}");
+        let item = &dossier.bill_of_material[0].text;
+        assert!(item.ends_with("; M GmbH"), "{item}");
+    }
+}
+
+/// A price with two readings is a fault of its cell; a text without an amount is none.
+#[test]
+fn a_price_with_two_readings_is_a_fault() {
+    for (price, is_fault) in
+        [("1.180 EUR", true), ("1,180 EUR", true), ("1180", true), ("1180 EUR", false), ("on request", false)]
+    {
+        let file = format!("id;ratio;torque_max [N m];price\nA;100;28;{price}\n");
+        let found = messages(project("files = [\"a.csv\"]\n", &[("a.csv", file)]));
+        assert_eq!(found.len(), usize::from(is_fault), "{price}: {found:?}");
+    }
+}

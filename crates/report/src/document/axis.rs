@@ -74,6 +74,8 @@ struct Cover {
     on_request: Vec<String>,
     objections: Vec<String>,
     reserve: Vec<Reserved>,
+    /// Condition of the reserves where checks could not be made; empty without one.
+    reserve_condition: String,
     /// Reserves that were not searched, as text; empty if all were.
     not_sought: String,
 }
@@ -291,6 +293,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Format
         on_request: candidate.on_request.clone(),
         objections: candidate.objections.iter().map(|text| tied(text)).collect(),
         reserve: reserve.chain(limits).chain(gearing).collect(),
+        reserve_condition: judgement.reserve.not_checked.as_ref().map(|found| tied(&found.text)).unwrap_or_default(),
         not_sought: judgement.reserve.not_sought.as_ref().map(|found| tied(&found.text)).unwrap_or_default(),
     }
 }

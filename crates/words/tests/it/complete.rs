@@ -180,6 +180,7 @@ fn notes() {
         stop(None),
         Note::BrakeDoesNotStop,
         Note::NothingHolds,
+        Note::NoBearingLoad,
         Note::NothingHoldsWithoutPower,
         Note::DwellTooShortForBrake { shortest: q(0.05), needed: q(0.1) },
         Note::BrakeTimesAssumed,
