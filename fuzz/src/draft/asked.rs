@@ -39,8 +39,11 @@ pub(super) fn requirements(page: &mut Page<'_, '_>) -> Result<()> {
         let ambient = page.literal(ambient, TEMPERATURE)?;
         page.word("ambient", &ambient);
     }
+    // Along a line there is no lever arm.
+    let mechanism = page.text.rsplit_once("mechanism.").map_or("", |(_, mechanism)| mechanism);
+    let turns = mechanism.is_empty() || ["arm]", "turntable]"].iter().any(|kind| mechanism.starts_with(kind));
     for (key, low, high, units) in LIMITS {
-        if page.u.ratio(1, 8)? {
+        if page.u.ratio(1, 8)? && (turns || key != "lever_arm") {
             page.key(key, low, high, units)?;
             // Keys that have an effect only beside this one.
             if key == "lever_arm" && page.often()? {

@@ -758,9 +758,6 @@ fit, all together; only if nothing but these limits rejects it."""
     """Names of the fields above whose value fits only if an estimate holds, `fits_if_estimate`."""
     unless_rating: list[str]
     """Names of the fields above whose value fits unless a gear rating of another manufacturer applies, `fits_if_estimate`."""
-    not_checked: ReserveNotChecked | None = None
-    """Checks that could not be made, for which the values do not hold; `null` if all were made that could reject the actuator, or
-without a value."""
     not_sought: NotSought | None = None
     """Quantities not searched because of the cost; `null` if all were."""
 
@@ -775,16 +772,6 @@ class NeededLimit(Record):
     """Sufficient value."""
     unit: str
     """Unit of the value."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
-class ReserveNotChecked(Record):
-    """Checks for which the values of a reserve do not hold: they could reject the actuator and could not be made."""
-
-    checks: list[CheckId]
-    """Checks."""
-    text: str
-    """Condition in words."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -900,10 +887,24 @@ class SweepRow(Record):
     """Identifier of this check."""
     stage_ratio: float | None = None
     """Ratio of the stage chosen among several of the project."""
+    checks: Rows[SweepCheck] | None = None
+    """The requested checks of the code."""
     error: str | None = None
     """Why the row is not judged."""
     labels: dict[str, str] | None = None
     """Cells of the columns that are no keys, such as `id`, by their headings; for values that the call states those of the keys."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class SweepCheck(Record):
+    """Verdict and utilisation of a requested check."""
+
+    id: CheckId
+    """Identifier of the check."""
+    verdict: Verdict | None = None
+    """Verdict; `null` if axis or actuator do not have the check."""
+    utilisation: float | None = None
+    """Utilisation."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -4213,7 +4214,6 @@ __all__ = [
     "Rejection",
     "ReportWritten",
     "Reserve",
-    "ReserveNotChecked",
     "Rule",
     "RunCheckId",
     "ScenarioId",
@@ -4236,6 +4236,7 @@ __all__ = [
     "Stage",
     "StageRatio",
     "Step",
+    "SweepCheck",
     "SweepRow",
     "SweepSummary",
     "Table",
