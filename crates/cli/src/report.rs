@@ -241,7 +241,7 @@ fn installation(
         chapters.push(chapter::commission(&sheet, &[], language));
     }
     if let Some(delivered) = delivered {
-        let inquiry = questions::list::upkeep::of_the_project(project, delivered);
+        let inquiry = questions::list::upkeep::of_the_project(project, code, delivered);
         let plan = questions::list::upkeep::upkeep(code, &inquiry, language).map_err(|(_, what, hint)| (what, hint))?;
         chapters.push(chapter::upkeep(&answer::upkeep(&plan, language), language));
     }

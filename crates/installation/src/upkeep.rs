@@ -333,9 +333,7 @@ impl Plan {
 
     /// Adds the events of an encoder whose turns are buffered by a battery.
     fn battery(&mut self, code: &OrderCode, asked: &UpkeepInputs) -> Result<Datum<BatteryLife>, UpkeepFault> {
-        let has_battery =
-            catalogue::fact(Task::EncoderLatest.fact()).is_some_and(|fact| fact.holds_for.feedbacks == [code.feedback]);
-        if !has_battery {
+        if !has_battery(code) {
             if asked.hours_per_day.is_some() {
                 self.notes.push(PlanNote::NoBattery);
             }
@@ -376,4 +374,10 @@ fn later(from: NaiveDate, time: Time) -> Option<NaiveDate> {
     // Limited because the calendar itself ends far beyond any plan.
     let days = time.in_unit(&DAY).floor().clamp(0.0, 1e6) as u64;
     from.checked_add_days(Days::new(days))
+}
+
+/// Returns `true` if a battery buffers the turns of the encoder of a code.
+#[must_use]
+pub fn has_battery(code: &OrderCode) -> bool {
+    catalogue::fact(Task::EncoderLatest.fact()).is_some_and(|fact| fact.holds_for.feedbacks == [code.feedback])
 }

@@ -58,8 +58,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "keine Umgebungstemperatur angegeben: Erwärmung für die höchste zulässige (CHA: 40 °C) gerechnet, Reibung des kalten Getriebes für 30 °C; kältere Starts sind nicht abgedeckt",
         ),
         Assumption::ConditionsWithinRange => (
-            "conditions of use that are not stated: assumed within those of the manufacturer",
-            "nicht angegebene Einsatzbedingungen: innerhalb der Herstellerangaben angenommen",
+            "conditions of use that are not stated: assumed within those of the manufacturer (CHA: table 13.2)",
+            "nicht angegebene Einsatzbedingungen: innerhalb der Herstellerangaben angenommen (CHA: Tabelle 13.2)",
         ),
         Assumption::CoolingPlate => (
             "mounted on the aluminium plate of table 13.3: the continuous-duty data are valid for this plate only",

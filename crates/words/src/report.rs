@@ -301,6 +301,7 @@ texts! {
         "Only if the manufacturer states a limit may the following rule it out:"
         | "Nur bei Angabe des Herstellers können ihn ausschließen:";
     s_tightest = "Checks with the highest utilisation" | "Nachweise mit der höchsten Auslastung";
+    reserve_partial = "by the checks that could be made" | "nach den geführten Nachweisen";
     reserve_alone = "Reserves and limits (single changes)" | "Reserven und Grenzen (jeweils nur eine Größe geändert)";
     s_answers = "Results" | "Ergebnisse";
     not_sought = "Not searched" | "Nicht gesucht";

@@ -758,6 +758,9 @@ fit, all together; only if nothing but these limits rejects it."""
     """Names of the fields above whose value fits only if an estimate holds, `fits_if_estimate`."""
     unless_rating: list[str]
     """Names of the fields above whose value fits unless a gear rating of another manufacturer applies, `fits_if_estimate`."""
+    not_checked: ReserveNotChecked | None = None
+    """Checks that could not be made, for which the values do not hold; `null` if all were made that could reject the actuator, or
+without a value."""
     not_sought: NotSought | None = None
     """Quantities not searched because of the cost; `null` if all were."""
 
@@ -772,6 +775,16 @@ class NeededLimit(Record):
     """Sufficient value."""
     unit: str
     """Unit of the value."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class ReserveNotChecked(Record):
+    """Checks for which the values of a reserve do not hold: they could reject the actuator and could not be made."""
+
+    checks: list[CheckId]
+    """Checks."""
+    text: str
+    """Condition in words."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -4214,6 +4227,7 @@ __all__ = [
     "Rejection",
     "ReportWritten",
     "Reserve",
+    "ReserveNotChecked",
     "Rule",
     "RunCheckId",
     "ScenarioId",

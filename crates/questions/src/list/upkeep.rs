@@ -85,10 +85,10 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<(Upkeep, answers::Upkeep), Unanswe
     Ok((plan, record))
 }
 
-/// Returns the question about the maintenance of the actuator of a project: storage and operation per day as it states
-/// them. A storage of a part of a day counts as a whole one.
+/// Returns the question about the maintenance of the actuator of a project: storage as it states it, and operation per day where
+/// the encoder has a battery. A storage of a part of a day counts as a whole one.
 #[must_use]
-pub fn of_the_project(project: &AxisProject, delivered: Date) -> UpkeepInputs {
+pub fn of_the_project(project: &AxisProject, code: &OrderCode, delivered: Date) -> UpkeepInputs {
     let asked = &project.axis.asked;
     #[allow(
         clippy::cast_possible_truncation,
@@ -99,7 +99,7 @@ pub fn of_the_project(project: &AxisProject, delivered: Date) -> UpkeepInputs {
     UpkeepInputs {
         delivered,
         storage: asked.storage.map(|time| Storage::For(days(time))),
-        hours_per_day: asked.operation_per_day,
+        hours_per_day: asked.operation_per_day.filter(|_| installation::upkeep::has_battery(code)),
         inspect: None,
         today: None,
     }

@@ -74,8 +74,8 @@ struct Cover {
     on_request: Vec<String>,
     objections: Vec<String>,
     reserve: Vec<Reserved>,
-    /// Condition of the reserves where checks could not be made; empty without one.
-    reserve_condition: String,
+    /// The reserves hold by the checks that could be made only.
+    reserve_is_partial: bool,
     /// Reserves that were not searched, as text; empty if all were.
     not_sought: String,
 }
@@ -273,7 +273,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Format
         above_ratings: beyond(true),
         fails: counts.failed,
         advised: counts.advised,
-        open: counts.not_checked,
+        open: candidate.open_questions.saturating_sub(counts.requirements_open),
         open_requirements: candidate.open_requirements.iter().flatten().map(|text| tied(text)).collect(),
         rejecting: checks.rejecting(),
         shown: counts.without_limit,
@@ -293,7 +293,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Format
         on_request: candidate.on_request.clone(),
         objections: candidate.objections.iter().map(|text| tied(text)).collect(),
         reserve: reserve.chain(limits).chain(gearing).collect(),
-        reserve_condition: judgement.reserve.not_checked.as_ref().map(|found| tied(&found.text)).unwrap_or_default(),
+        reserve_is_partial: judgement.reserve.not_checked.is_some(),
         not_sought: judgement.reserve.not_sought.as_ref().map(|found| tied(&found.text)).unwrap_or_default(),
     }
 }
