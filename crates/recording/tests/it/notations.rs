@@ -134,7 +134,11 @@ fn no_dialect_gives_other_numbers() {
             |text: &String| text.len() < 8 && text.split_once(thousands).is_some_and(|(_, rest)| rest.len() == 3);
         // Where every number has three digits behind one sign, a comma of an unquoted number or a point counts as decimal.
         let is_undecided = !thousands.is_empty() && places == [0, 0] && written.iter().all(is_grouped);
-        let is_known_limit = is_undecided && (thousands == "." || thousands == "," && delimiter != ',');
+        // Between commas a point is that of decimals.
+        let is_point_between_commas =
+            thousands == "." && delimiter == ',' && places == [0, 0] && written.iter().all(|text| text.len() < 8);
+        let is_known_limit =
+            is_undecided && thousands != "'" && thousands != "\u{a0}" && delimiter != ',' || is_point_between_commas;
         match read(&text) {
             Ok(found) => {
                 let speeds = &found.course.speed.as_ref().unwrap().values;
