@@ -3,7 +3,7 @@
 use crate::dimension::Dimension;
 use crate::error::QuantityError;
 use crate::parse::{Reading, parse, parse_at};
-use crate::unit::{DEGREE_CELSIUS, PERCENT};
+use crate::unit::PERCENT;
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -21,9 +21,9 @@ pub struct HalfWidth {
 
 /// Parses a quantity that may have a tolerance, `value ± half-width`.
 ///
-/// The half-width is a quantity of the same kind, or a share of the value in percent; zero is no tolerance. A percent of
-/// a temperature in °C is refused, since zero degrees are no absence of temperature; so is °C for the half-width, which
-/// is a difference and has kelvin.
+/// The half-width is a quantity of the same kind, or a share of the value in percent; zero is no tolerance. That of a
+/// temperature is a difference: `23 degC ± 2 degC` and `23 degC ± 2 K` are the same, 9 °F are 5 K. A percentage of a
+/// temperature in °C or °F is refused, since zero degrees are no absence of temperature.
 ///
 /// ```
 /// use quantities::{Dimension, parse_toleranced};
@@ -39,7 +39,7 @@ pub struct HalfWidth {
 /// ```
 ///
 /// # Errors
-/// The same as for [`parse()`], for the value and for the half-width; a negative half-width, or a percentage of °C.
+/// The same as for [`parse()`], for the value and for the half-width; a negative half-width, or a percentage of °C or °F.
 pub fn parse_toleranced(expected: Dimension, text: &str) -> Result<(Reading, Option<HalfWidth>), QuantityError> {
     let Some((at, sign)) = sign_of(text) else { return parse(expected, text).map(|reading| (reading, None)) };
     let value = text.get(..at).unwrap_or_default();
@@ -123,15 +123,20 @@ fn sign_of(text: &str) -> Option<(usize, &'static str)> {
 fn half_width(expected: Dimension, reading: &Reading, text: &str, offset: usize) -> Result<f64, QuantityError> {
     if text.trim_end().ends_with(PERCENT.symbol) {
         let share = parse_at(Dimension::Ratio, text, offset)?.si;
-        if reading.unit.symbol == DEGREE_CELSIUS.symbol {
+        if reading.unit.to_si(0.0) != 0.0 {
             let (start, end) = (text.len() - text.trim_start().len(), text.trim_end().len());
             return Err(QuantityError::ToleranceOfOffsetScale { span: offset + start..offset + end });
         }
         return Ok(reading.si.abs() * share);
     }
-    // A tolerance of a temperature is a difference of temperatures.
-    let difference = if expected == Dimension::Temperature { Dimension::TemperatureInterval } else { expected };
-    parse_at(difference, text, offset).map(|half| half.si)
+    if expected != Dimension::Temperature {
+        return parse_at(expected, text, offset).map(|half| half.si);
+    }
+    // A difference of temperatures, in any of their units.
+    parse_at(Dimension::TemperatureInterval, text, offset).map(|half| half.si).or_else(|fault| {
+        let half = parse_at(expected, text, offset).map_err(|_| fault)?;
+        Ok(half.si - half.unit.to_si(0.0))
+    })
 }
 
 #[cfg(test)]
@@ -151,6 +156,9 @@ mod tests {
         assert!(parse_toleranced(Dimension::Torque, "2 N m").unwrap().1.is_none());
         assert_eq!(half(Dimension::Torque, "2 N m ± 0 %"), 0.0);
         assert_eq!(half(Dimension::Temperature, "40 degC ± 5 K"), 5.0);
+        for text in ["40 degC ± 5 degC", "77 degF ± 9 degF", "77 degF ± 5 °C", "313 K ± 9 °F"] {
+            assert!((half(Dimension::Temperature, text) - 5.0).abs() < 1e-12, "{text}");
+        }
         assert!((half(Dimension::Temperature, "300 K ± 1 %") - 3.0).abs() < 1e-12);
         assert!((half(Dimension::Angle, "90 deg ± 1 arcmin") - std::f64::consts::PI / 10800.0).abs() < 1e-15);
     }
@@ -175,7 +183,9 @@ mod tests {
             (Dimension::Torque, "2 ± 10 %", "2"),
             (Dimension::Torque, "± 10 %", "±"),
             (Dimension::Temperature, "40 degC ± 10 %", "10 %"),
-            (Dimension::Temperature, "40 degC ± 5 degC", "degC"),
+            (Dimension::Temperature, "77 degF ± 10 %", "10 %"),
+            (Dimension::Temperature, "40 degC ± 5 m", "m"),
+            (Dimension::Temperature, "40 degC ± -5 degC", "-5 degC"),
         ] {
             let error = parse_toleranced(dimension, text).unwrap_err();
             let place = text.get(error.span()).unwrap();

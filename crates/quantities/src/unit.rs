@@ -199,8 +199,10 @@ with_stiffnesses! {
             ///
             /// 10⁻³ kg × 10⁻⁶ m².
             GRAM_SQUARE_MILLIMETRE: "g mm^2", "gmm²", "gmm^2", [], (over 1e9);
-            POUND_SQUARE_INCH: "lb in^2", "lb in²", "lb in^2", ["lbm in^2"], (times POUND_KG * INCH_M * INCH_M);
-            POUND_SQUARE_FOOT: "lb ft^2", "lb ft²", "lb ft^2", ["lbm ft^2"], (times POUND_KG * FOOT_M * FOOT_M);
+            ///
+            /// WK² and WR² of inch-pound papers are the weight times the square of the radius of gyration.
+            POUND_SQUARE_INCH: "lb in^2", "lb in²", "lb in^2", ["lbm in^2", "WK^2 lb in^2", "WR^2 lb in^2", "Wk^2 lb in^2"], (times POUND_KG * INCH_M * INCH_M);
+            POUND_SQUARE_FOOT: "lb ft^2", "lb ft²", "lb ft^2", ["lbm ft^2", "WK^2 lb ft^2", "WR^2 lb ft^2", "Wk^2 lb ft^2"], (times POUND_KG * FOOT_M * FOOT_M);
             OUNCE_SQUARE_INCH: "oz in^2", "oz in²", "oz in^2", [], (times POUND_KG / OUNCES * INCH_M * INCH_M);
             ///
             /// 1 slug is accelerated with 1 ft/s² by 1 lbf.
@@ -480,7 +482,7 @@ with_stiffnesses! {
     {
         NEWTON_METRE_PER_RADIAN TILTING_NEWTON_METRE_PER_RADIAN: "N m/rad", "Nm/rad", "Nm/rad", [], (si);
         KILONEWTON_METRE_PER_RADIAN TILTING_KILONEWTON_METRE_PER_RADIAN: "10^3 N m/rad", "10³ Nm/rad", "10^3 Nm/rad",
-            ["kNm/rad", "N m/mrad"],
+            ["kN m/rad", "N m/mrad"],
             (times 1e3);
         TORSIONAL_TEN_KILONEWTON_METRE_PER_RADIAN TILTING_TEN_KILONEWTON_METRE_PER_RADIAN:
             "10^4 N m/rad", "10⁴ Nm/rad", "10^4 Nm/rad",
@@ -495,6 +497,28 @@ with_stiffnesses! {
         TORSIONAL_NEWTON_METRE_PER_ARCMINUTE NEWTON_METRE_PER_ARCMINUTE: "N m/arcmin", "Nm/arcmin", "Nm/arcmin",
             ["N m/arc min", "N m/′"],
             (over arcminute());
+        TORSIONAL_KILONEWTON_METRE_PER_ARCMINUTE TILTING_KILONEWTON_METRE_PER_ARCMINUTE:
+            "kN m/arcmin", "kNm/arcmin", "kNm/arcmin",
+            ["kN m/arc min", "kN m/′"],
+            (times 1e3 / arcminute());
+        TORSIONAL_KILONEWTON_METRE_PER_DEGREE TILTING_KILONEWTON_METRE_PER_DEGREE: "kN m/deg", "kNm/°", "kNm/deg", [],
+            (times 1e3 / degree());
+        TORSIONAL_NEWTON_CENTIMETRE_PER_RADIAN TILTING_NEWTON_CENTIMETRE_PER_RADIAN: "N cm/rad", "Ncm/rad", "Ncm/rad", [],
+            (over 1e2);
+        TORSIONAL_NEWTON_MILLIMETRE_PER_RADIAN TILTING_NEWTON_MILLIMETRE_PER_RADIAN: "N mm/rad", "Nmm/rad", "Nmm/rad",
+            ["mN m/rad"],
+            (over 1e3);
+        TORSIONAL_NEWTON_CENTIMETRE_PER_ARCMINUTE TILTING_NEWTON_CENTIMETRE_PER_ARCMINUTE:
+            "N cm/arcmin", "Ncm/arcmin", "Ncm/arcmin",
+            ["N cm/arc min", "N cm/′"],
+            (over (1e2 * arcminute()));
+        TORSIONAL_NEWTON_MILLIMETRE_PER_ARCMINUTE TILTING_NEWTON_MILLIMETRE_PER_ARCMINUTE:
+            "N mm/arcmin", "Nmm/arcmin", "Nmm/arcmin",
+            ["N mm/arc min", "N mm/′", "mN m/arcmin", "mN m/arc min", "mN m/′"],
+            (over (1e3 * arcminute()));
+        TORSIONAL_NEWTON_MILLIMETRE_PER_DEGREE TILTING_NEWTON_MILLIMETRE_PER_DEGREE: "N mm/deg", "Nmm/°", "Nmm/deg",
+            ["mN m/deg"],
+            (over (1e3 * degree()));
     }
     {
         TORSIONAL_POUND_FORCE_INCH_PER_ARCMINUTE TILTING_POUND_FORCE_INCH_PER_ARCMINUTE:

@@ -65,8 +65,8 @@ pub fn quantity_fault(error: &QuantityError, language: Language) -> String {
             | "die halbe Breite einer Toleranz darf nicht negativ sein"
         ),
         QuantityError::ToleranceOfOffsetScale { .. } => said!(language =>
-            "a percentage of a temperature in °C has no meaning: its zero is arbitrary"
-            | "eine Prozentangabe zu einer Temperatur in °C ist nicht sinnvoll: der Nullpunkt ist willkürlich"
+            "a percentage of a temperature in °C or °F has no meaning: its zero is arbitrary"
+            | "eine Prozentangabe zu einer Temperatur in °C oder °F ist nicht sinnvoll: der Nullpunkt ist willkürlich"
         ),
     }
 }
