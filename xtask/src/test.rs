@@ -7,7 +7,8 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use crate::Error;
-use crate::cargo::{cargo, must_succeed, spelled};
+use crate::cargo::{Workspace, cargo, must_succeed, spelled};
+use crate::tidy::tree::Tree;
 use crate::tools::NEXTEST;
 
 /// Runs every test; installs cargo-nextest if missing.
@@ -20,7 +21,9 @@ pub fn run(root: &Path) -> Result<(), Error> {
     match NEXTEST.command(root) {
         Ok(nextest) => {
             closing.nextest(nextest, root)?;
-            closing.cargo_test(cargo(root, &["test", "--workspace", "--doc", "--no-fail-fast"]), root)?;
+            let mut examples = cargo(root, &["test", "--doc", "--no-fail-fast"]);
+            examples.args(with_examples(root)?.iter().flat_map(|name| ["--package", name]));
+            closing.cargo_test(examples, root)?;
         }
         Err(error) if crate::tools::is_ci() => return Err(error),
         Err(error) => {
@@ -30,6 +33,23 @@ pub fn run(root: &Path) -> Result<(), Error> {
     }
     println!("tests: {closing}");
     closing.verdict()
+}
+
+/// Returns the packages whose documentation has examples: rustdoc reads every other one for nothing.
+fn with_examples(root: &Path) -> Result<Vec<String>, Error> {
+    let tree = Tree::read(root);
+    let is_example = |line: &str| {
+        let line = line.trim_start();
+        line.strip_prefix("///").or_else(|| line.strip_prefix("//!")).is_some_and(|text| text.trim_start() == "```")
+    };
+    let has_example = |file: &str| tree.text(file).is_some_and(|text| text.lines().any(is_example));
+    let packages = Workspace::ask(root)?.packages.into_iter().filter(|package| {
+        let folder = package.manifest_path.parent().and_then(|folder| folder.as_std_path().strip_prefix(root).ok());
+        let sources = folder.map(|folder| folder.join("src").to_string_lossy().into_owned());
+        let is_tested = package.targets.iter().any(|target| target.doctest);
+        is_tested && sources.is_some_and(|sources| tree.under(&sources, ".rs").any(has_example))
+    });
+    Ok(packages.map(|package| package.name.to_string()).collect())
 }
 
 /// Number of saves begun per signal in a night; about six of ten are killed before they end, a thousand in total.
@@ -191,6 +211,16 @@ impl std::fmt::Display for Closing {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Packages with an example in their documentation, and no other ones.
+    #[test]
+    fn only_packages_with_examples_are_documented_tests() {
+        let found = with_examples(&crate::root()).unwrap();
+        for name in ["quantities", "order-code", "recording", "plot"] {
+            assert!(found.iter().any(|package| package == name), "{name}: {found:?}");
+        }
+        assert!(found.len() < 15 && !found.iter().any(|package| package == "xtask"), "{found:?}");
+    }
 
     #[test]
     fn closing_lines_are_summed() {

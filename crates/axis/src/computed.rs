@@ -41,6 +41,9 @@ pub(crate) fn assumptions(axis: &Axis, found: &mut Vec<Assumption>) {
         if let Some(alternating) = placed.recorded.alternating() {
             put(Assumption::RecordedAlternating(alternating));
         }
+        if placed.recorded.torque_noise_nm() > 0.0 {
+            put(Assumption::RecordedTorqueNoise(placed.recorded.torque_noise_nm()));
+        }
         for remark in placed.recorded.remarks() {
             put(Assumption::RecordedKey(*remark));
         }

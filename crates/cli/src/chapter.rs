@@ -159,6 +159,9 @@ fn finished(call: &Call<'_>, template: &mut Template, out: Option<&Path>) -> Res
     if !readiness.missing.is_empty() {
         talk += &format!("{}\n", terminal::still_missing(&readiness.missing.join("; "), language));
     }
+    for fault in &readiness.recording {
+        talk += &format!("{}\n", terminal::recording_to_mend(fault, language));
+    }
     Ok(talk)
 }
 

@@ -12,7 +12,7 @@ use quantities::Language;
 use questions::list::{Reads, ReferencedText, Unanswered, new};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
-use words::file_trouble;
+use words::{file_trouble, terminal};
 
 pub(crate) mod begun;
 
@@ -62,7 +62,7 @@ impl SourceFile {
         let of = |text: String, assumed: Vec<String>| Self {
             path: path.to_owned(),
             of_recording: Some(assumed),
-            ..Self::of_text(name.clone(), text.into_bytes(), folder, memory)
+            ..Self::of_text(terminal::new_project_with(&name, language), text.into_bytes(), folder, memory)
         };
         let file = of(text.clone(), Vec::new());
         let read = file.source().projects(questions::embedded_catalogue(), crate::waiting::progress(), language);

@@ -7,7 +7,7 @@ use crate::joint::joint;
 use crate::remarks::{Remark, of_stamps, of_standstill};
 use crate::resolution::{
     MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, made_up_by_noise, made_up_by_updates, mean_interval,
-    median_interval,
+    median_interval, noise_beside,
 };
 use crate::settled::{SlowMotion, slow_motion, stop_at_rests};
 use crate::smoothing::{end_error, slope_error, slope_error_at_end, smooth_by};
@@ -96,6 +96,7 @@ pub struct Recorded {
     alternating: Option<Alternating>,
     slow_motion: Option<SlowMotion>,
     made_up: Option<MadeUp>,
+    torque_noise_nm: f64,
     remarks: Vec<Remark>,
     rests: bool,
     turns: bool,
@@ -194,6 +195,7 @@ impl Recorded {
             (torque, _) => torque,
         };
         let made_up = made_up.map(|made_up| made_up.while_moving(&speed));
+        let torque_noise_nm = torque_nm.as_ref().map_or(0.0, |torque| noise_beside(&time_s, torque));
         let rests = speed.windows(2).any(|ends| ends == [0.0; 2]);
         let turns = speed.iter().any(|speed| *speed != 0.0);
         Ok(Self {
@@ -207,6 +209,7 @@ impl Recorded {
             alternating,
             slow_motion,
             made_up,
+            torque_noise_nm,
             remarks,
             rests,
             turns,
@@ -256,6 +259,13 @@ impl Recorded {
     #[must_use]
     pub fn speed_rad_s(&self) -> &[f64] {
         &self.speed_rad_s
+    }
+
+    /// Returns the standard deviation of the white noise of the recorded torques \[Nm\], if its largest values are notable beside
+    /// the largest torque; else zero.
+    #[must_use]
+    pub const fn torque_noise_nm(&self) -> f64 {
+        self.torque_noise_nm
     }
 
     /// Returns the torques \[Nm\], if they are recorded.

@@ -1,6 +1,7 @@
 //! Resolution of recorded samples: the step of a column and the spurious acceleration that it causes.
 
 use crate::grid::Grid;
+use crate::white::{deviation, deviation_at};
 use numeric::{nth_smallest, upper_median};
 
 /// Smallest difference that counts as rough, relative to the step; values are rounded if a quarter of the samples are
@@ -202,30 +203,33 @@ pub(crate) fn made_up_by_noise(
     window_s: Option<f64>,
 ) -> Option<MadeUp> {
     let interval_s = median_interval(time);
-    let is_even = !intervals(time).any(|step| (step - interval_s).abs() > EVEN * interval_s);
+    let is_even = is_even(time, interval_s);
     // The noise of rounded values is that of their steps, which [`made_up`] judges.
     if !is_even && rough_grid(time, values, column.order()).is_some() {
         return None;
     }
-    let deviation = if is_even { crate::white::deviation(values) } else { crate::white::deviation_at(time, values) };
+    let deviation = noise(time, values, is_even);
     if deviation <= 0.0 {
         return None;
     }
     let rounded = Rounded { time, values, column, step: deviation * 12.0_f64.sqrt(), window_s };
-    let plain = deviation
-        * match (column, is_even) {
-            (SteppedColumn::Position, true) => 1.0 / (interval_s * interval_s),
-            (SteppedColumn::Speed, true) => std::f64::consts::SQRT_2 / interval_s,
-            (SteppedColumn::Position, false) => mean_over_time(time.windows(4).filter_map(|near| {
-                let [t0, t1, t2, t3] = <[f64; 4]>::try_from(near).ok()?;
-                let factors = factors_of_positions(factors_of_differences([t1 - t0, t2 - t1, t3 - t2]));
-                Some((factors.iter().map(|factor| factor * factor).sum(), t2 - t1))
-            })),
-            (SteppedColumn::Speed, false) => mean_over_time(intervals(time).map(|step| (2.0 / (step * step), step))),
+    let (plain, peak) = if is_even {
+        let of_one = match column {
+            SteppedColumn::Position => 1.0 / (interval_s * interval_s),
+            SteppedColumn::Speed => std::f64::consts::SQRT_2 / interval_s,
         };
-    let rms_rad_s2 = window_s.map_or(plain, |window| (0.25 * rounded.smoothed(window)).min(plain));
+        (deviation * of_one, LARGEST * deviation * of_one)
+    } else {
+        let variances = variances(time, column);
+        let sizes: Vec<f64> = variances.iter().map(|(variance, _)| deviation * variance.sqrt()).collect();
+        (deviation * mean_over_time(variances.into_iter()), usual_largest(&sizes))
+    };
+    // Within a window the instants count as even.
+    let [rms_rad_s2, largest] = match window_s.map(|window| 0.25 * rounded.smoothed(window)) {
+        Some(smoothed) if smoothed < plain => [smoothed, LARGEST * smoothed],
+        _ => [plain, peak],
+    };
     let motion = rounded.motion();
-    let largest = LARGEST * rms_rad_s2;
     (largest > NOTABLE * motion).then(|| {
         rounded.made_up((largest, interval_s), motion, |smoothing_s| Spurious::Noise {
             deviation,
@@ -233,6 +237,62 @@ pub(crate) fn made_up_by_noise(
             smoothing_s,
         })
     })
+}
+
+/// Returns the standard deviation of the white noise of a column that enters the torque itself; zero unless its largest values exceed
+/// 5 % of the largest value.
+pub(crate) fn noise_beside(time: &[f64], values: &[f64]) -> f64 {
+    let deviation = noise(time, values, is_even(time, median_interval(time)));
+    let most = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    if LARGEST * deviation > NOTABLE * most { deviation } else { 0.0 }
+}
+
+fn is_even(time: &[f64], interval_s: f64) -> bool {
+    !intervals(time).any(|step| (step - interval_s).abs() > EVEN * interval_s)
+}
+
+fn noise(time: &[f64], values: &[f64], is_even: bool) -> f64 {
+    if is_even { deviation(values) } else { deviation_at(time, values) }
+}
+
+/// Returns the variance of the acceleration between two rows for a unit variance of the values, and the time between the rows.
+fn variances(time: &[f64], column: SteppedColumn) -> Vec<(f64, f64)> {
+    match column {
+        SteppedColumn::Position => time
+            .windows(4)
+            .filter_map(|near| {
+                let [t0, t1, t2, t3] = <[f64; 4]>::try_from(near).ok()?;
+                let factors = factors_of_positions(factors_of_differences([t1 - t0, t2 - t1, t3 - t2]));
+                Some((factors.iter().map(|factor| factor * factor).sum(), t2 - t1))
+            })
+            .collect(),
+        SteppedColumn::Speed => intervals(time).map(|step| (2.0 / (step * step), step)).collect(),
+    }
+}
+
+/// Returns the amount that one of some normally distributed values of given standard deviations exceeds on average: of different
+/// deviations the largest ones decide, however rare.
+///
+/// Σ P(|N(0, σ_i)| > x) = 1
+///
+/// # Source
+/// Birnbaum's and Sampford's bound of the tail, P(|N(0, 1)| > z) ≤ 8 φ(z)/(3 z + √(z² + 8)), above it by 0.3 % at most from z = 1 on
+fn usual_largest(deviations: &[f64]) -> f64 {
+    let tail = |z: f64| {
+        let density = (-0.5 * z * z).exp() / std::f64::consts::TAU.sqrt();
+        8.0 * density / (3.0 * z + z.hypot(8.0_f64.sqrt()))
+    };
+    let exceeding = |level: f64| {
+        deviations.iter().filter(|deviation| **deviation > 0.0).map(|deviation| tail(level / deviation)).sum::<f64>()
+    };
+    let most = deviations.iter().fold(0.0_f64, |most, deviation| most.max(*deviation));
+    // Ten deviations are exceeded once in 10²³ values.
+    let (mut low, mut high) = (0.0, 10.0 * most);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        *(if exceeding(middle) > 1.0 { &mut low } else { &mut high }) = middle;
+    }
+    high
 }
 
 /// Returns the root of the mean of squares over their times.

@@ -93,7 +93,7 @@ pub struct SlowMotion {
     pub speed_rad_s: f64,
     /// Largest range of the positions of one stretch \[rad\].
     pub place_rad: f64,
-    /// Duration of all stretches \[s\].
+    /// Time in motion of all stretches \[s\].
     pub duration_s: f64,
 }
 
@@ -103,11 +103,16 @@ pub(crate) fn slow_motion(time: &[f64], speed: &[f64], position: Option<&[f64]>)
     let is_small = |slow: &Slow| !slow.is_rest && slow.is_long && slow.place_rad <= SLOW_MOST * travel;
     let (mut sum, mut all) = (SlowMotion { speed_rad_s: 0.0, place_rad: 0.0, duration_s: 0.0 }, 0.0);
     for slow in slow(time, speed, position, false).into_iter().filter(is_small) {
-        let ends = time.get(slow.samples.start).zip(time.get(slow.samples.end - 1));
+        let times = time.get(slow.samples.clone()).unwrap_or_default();
+        let speeds = speed.get(slow.samples.clone()).unwrap_or_default();
+        // Between equal positions the axis is at rest: a count of the sensor to and fro moves it between two rows only.
+        let moving = times.windows(2).zip(speeds.windows(2)).filter(|(_, ends)| *ends != [0.0; 2]);
+        let moving_s: f64 =
+            moving.map(|(ends, _)| ends.iter().rev().copied().reduce(|end, start| end - start).unwrap_or(0.0)).sum();
         sum = SlowMotion {
             speed_rad_s: sum.speed_rad_s.max(slow.speed_rad_s),
             place_rad: sum.place_rad.max(slow.place_rad),
-            duration_s: sum.duration_s + ends.map_or(0.0, |(first, last)| last - first),
+            duration_s: sum.duration_s + moving_s,
         };
     }
     if let Some((first, last)) = time.first().zip(time.last()) {

@@ -1,6 +1,7 @@
 use super::*;
 use crate::generated::Noise;
 use crate::{MadeUp, Recorded, Samples, Spurious, Treatment};
+use quantities::{Measure, Time};
 use std::sync::Arc;
 
 /// Position and speed of a move of 1.5 rad in 1 s and back in 1.2 s, with rests, by x³ (10 − 15 x + 6 x²).
@@ -111,6 +112,91 @@ fn noise_is_found_at_uneven_instants_too() {
             assert!((deviation / planted - 1.0).abs() < 0.15, "{what} {has_speed}: {deviation} for {planted}");
             assert!(rms_rad_s2 > 0.0, "{what} {has_speed}");
         }
+    }
+}
+
+/// Noise of a recorded torque is named with its size at even and uneven instants, none where there is none, and none that smoothing took
+/// out.
+#[test]
+fn noise_of_a_recorded_torque_has_its_size() {
+    for uneven in [0.0, 5e-4] {
+        for share in [0.0, 1e-6, 3e-3, 0.03, 0.2] {
+            let mut noise = Noise(104_729);
+            let time: Vec<f64> =
+                (0_u32..1700).map(|k| 2e-3 * f64::from(k) + uneven * (noise.normal().tanh())).collect();
+            let torque: Vec<f64> = time
+                .iter()
+                .map(|t| {
+                    let friction = if motion(*t).1 == 0.0 { 0.0 } else { 4.0 * motion(*t).1.signum() };
+                    20.0 * (3.0 * t).sin() + friction + 20.0 * share * noise.normal()
+                })
+                .collect();
+            let samples = Samples {
+                position_rad: Some(Arc::new(time.iter().map(|t| motion(*t).0).collect())),
+                torque_nm: Some(Arc::new(torque)),
+                time_s: Arc::new(time),
+                ..Samples::default()
+            };
+            let found = Recorded::new(samples.clone(), Treatment::default()).unwrap().torque_noise_nm();
+            if share < 0.01 {
+                assert_eq!(found, 0.0, "{share} {uneven}");
+            } else {
+                assert!((found / (20.0 * share) - 1.0).abs() < 0.12, "{share} {uneven}: {found}");
+            }
+            let smoothed = Treatment { smoothing: Some(Time::from_si(0.08)), ..Treatment::default() };
+            let smoothed = Recorded::new(samples, smoothed).unwrap().torque_noise_nm();
+            assert!(smoothed <= 0.4 * found, "{share} {uneven}: {smoothed}");
+        }
+    }
+}
+
+/// At random instants the largest acceleration is that of the rows that are closest to each other: the stated size is near what noise
+/// alone makes of the rows.
+#[test]
+fn noise_between_random_instants_has_the_size_of_the_closest_rows() {
+    for has_speed in [true, false] {
+        let mut ratios = Vec::new();
+        for seed in 1..=12_u64 {
+            let mut noise = Noise(seed * 104_729);
+            let mut now = 0.0;
+            let mut time: Vec<f64> = std::iter::repeat_with(|| {
+                now += 3e-4 + 2e-3 * noise.normal().abs();
+                now
+            })
+            .take_while(|t| *t < 3.4)
+            .collect();
+            time.insert(0, 0.0);
+            let share = 1e-4;
+            let only: Vec<f64> = time.iter().map(|_| share * noise.normal()).collect();
+            let of = |values: Vec<f64>| {
+                let values = Some(Arc::new(values));
+                let samples = Samples { time_s: Arc::new(time.clone()), ..Samples::default() };
+                let samples = match has_speed {
+                    true => Samples { speed_rad_s: values, ..samples },
+                    false => Samples { position_rad: values, ..samples },
+                };
+                Recorded::new(samples, Treatment::default()).unwrap()
+            };
+            let scale = if has_speed { SPEED } else { 1.5 };
+            let clean = |t: f64| if has_speed { motion(t).1 } else { motion(t).0 };
+            let noisy = of(time.iter().zip(&only).map(|(t, noise)| clean(*t) + scale * noise).collect());
+            // What the noise makes of the rows: the difference to the recording without it.
+            let without = of(time.iter().map(|t| clean(*t)).collect());
+            let slopes = |recorded: &Recorded| -> Vec<f64> {
+                let ends = recorded.time_s().windows(2).zip(recorded.speed_rad_s().windows(2));
+                ends.map(|(t, w)| (w[1] - w[0]) / (t[1] - t[0])).collect()
+            };
+            let differences = slopes(&noisy).into_iter().zip(slopes(&without)).map(|(one, other)| (one - other).abs());
+            let largest = differences.fold(0.0, f64::max);
+            let Some(MadeUp { cause: Spurious::Noise { .. }, acceleration_rad_s2, .. }) = noisy.made_up() else {
+                panic!("{has_speed} {seed}: {:?}", noisy.made_up());
+            };
+            ratios.push(largest / acceleration_rad_s2);
+        }
+        ratios.sort_by(f64::total_cmp);
+        let median = ratios[6];
+        let ends = [ratios[0], ratios[11]];
+        assert!((0.75..1.35).contains(&median) && ends[0] > 0.5 && ends[1] < 2.0, "{has_speed}: {ratios:?}");
     }
 }
 

@@ -299,6 +299,11 @@ fn typed_as(kind: Kind, typed: &str) -> Value {
             _ => text.into(),
         }
     };
+    // A list may be typed as the file writes it, `["C1024", "M512P"]`.
+    let is_list = matches!(kind, Kind::Numbers(..) | Kind::ListOf(_) | Kind::Texts | Kind::Bodies | Kind::Rows(_));
+    if let Some(Value::Array(list)) = is_list.then(|| typed.trim().parse::<Value>().ok()).flatten() {
+        return Value::Array(list);
+    }
     match kind {
         Kind::Number(..) | Kind::Integer(..) => number(typed),
         Kind::Bool => typed.parse::<bool>().map_or_else(|_| typed.into(), Value::from),

@@ -89,12 +89,15 @@ fn segment(preview: &Preview, named: &str, language: Language) -> String {
         let column = preview.columns.iter().find(|column| column.role == Some(role));
         lines.push(match column {
             Some(column) => format!("columns.{key} = {}", quoted(&column.name)),
-            None => format!(
-                "# columns.{key} = \"…\"  # {}",
-                recorded_template::not_recognised(&unused.join(", "), language)
-            ),
+            None => {
+                let remark = match unused.as_slice() {
+                    [] => recorded_template::none_left(language).to_owned(),
+                    _ => recorded_template::not_recognised(&unused.join(", "), language),
+                };
+                format!("# columns.{key} = \"…\"  # {remark}")
+            }
         });
-        if let Some(column) = column.filter(|column| column.unit.is_none()) {
+        if let Some(column) = column.filter(|column| column.unit.is_none() && !column.is_clock) {
             lines.push(format!("# units.{key} = \"…\"  # {}", recorded_template::no_unit(&column.heading, language)));
         }
     }

@@ -4,7 +4,7 @@ use crate::collected::FaultCollector;
 use crate::faults::{Fault, NearColumn, excerpt};
 use crate::layout::{Layout, Role};
 use crate::limits::NAMES_MAX;
-use crate::names::{Named, Sureness, axis_of, before_nanoseconds, before_seconds};
+use crate::names::{Named, Sureness, axis_of, before_nanoseconds, before_seconds, is_share};
 use crate::series::{Along, ColumnRead, KnownBy};
 use quantities::{Unit, seen};
 
@@ -27,7 +27,7 @@ const TORQUE: &str = "T";
 impl Heading {
     pub(crate) fn new(written: &str) -> Self {
         let written = written.trim();
-        Self { written: written.to_owned(), named: Named::marked(written), below: None, is_clock: false }
+        Self { written: written.to_owned(), named: Named::with_share(written), below: None, is_clock: false }
     }
 
     /// Matches the usual names of a role, also with a unit after an underscore, which may otherwise be part of the
@@ -50,9 +50,9 @@ impl Heading {
             || self.named.for_role(role, |_| true).is_some()
     }
 
-    /// Returns `true` if the name or the row of units states a unit of another quantity than the role's.
+    /// Returns `true` if the name or the row of units states a unit of another quantity than the role's, or a share of it.
     fn has_unit_of_another(&self, role: Role) -> bool {
-        let is_unit = |unit: &String| Unit::of(unit.trim_matches(['[', ']', '(', ')'])).is_some();
+        let is_unit = |unit: &String| is_share(unit) || Unit::of(unit.trim_matches(['[', ']', '(', ')'])).is_some();
         [&self.named.unit, &self.below].into_iter().flatten().any(is_unit) && !self.has_unit_of(role)
     }
 
@@ -129,15 +129,15 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut FaultColl
         if layout.column(role).unused || slot.is_some() || *failed {
             continue;
         }
-        let mut found = surest(headings, &taken, |heading| heading.by_usual_name(role));
+        // A column with a unit of another quantity is chosen only where there is no other: names that differ in case only (t in s,
+        // T in Nm) are distinguished by their units, and a torque in Nm stands before one in percent.
+        let by_unit = |heading: &Heading| heading.by_usual_name(role).filter(|_| !heading.has_unit_of_another(role));
+        let mut found = surest(headings, &taken, by_unit);
+        if found.is_empty() {
+            found = surest(headings, &taken, |heading| heading.by_usual_name(role));
+        }
         if role == Role::Time && found.is_empty() {
             found.extend(seconds(headings));
-        }
-        // Names that differ in case only (t in s, T in Nm) are distinguished by their units.
-        let has_unit_of_another =
-            |pick: &Pick| headings.get(pick.index).is_some_and(|heading| heading.has_unit_of_another(role));
-        if found.len() > 1 && !found.iter().all(has_unit_of_another) {
-            found.retain(|pick| !has_unit_of_another(pick));
         }
         more.keep_first(role, headings, &mut found);
         match found.as_slice() {
@@ -454,7 +454,7 @@ fn is_scaled(text: &str) -> bool {
     let is_factor = factor.contains(|sign: char| sign.is_ascii_digit()) && factor.trim() != "1/";
     let is_number = |text: &str| text.trim().replace(',', ".").parse::<f64>().is_ok();
     let behind = text.split_once(['*', '/', '·', '×']);
-    text.contains(['%', '‰'])
+    is_share(text)
         || is_factor && is_unit(unit)
         || behind.is_some_and(|(unit, factor)| is_unit(unit) && is_number(factor))
 }

@@ -43,6 +43,13 @@ pub enum Remedy {
         /// Place of the first row of the second one.
         at: FileRow,
     },
+    /// Time jumps back once and goes on: the clock was set back, by an hour at the end of summer time, or two recordings overlap.
+    SetBack {
+        /// Place of the first row after the jump.
+        at: FileRow,
+        /// Time to add from this row on.
+        by: Stamp,
+    },
     /// Two rows are exchanged.
     Exchange {
         /// Places of both.

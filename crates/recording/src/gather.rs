@@ -73,7 +73,7 @@ pub(crate) struct Gather<'m> {
 const SHOWN: f64 = 1e-14;
 
 /// Rounds a time to fifteen digits, for a line to write.
-fn short(value: f64) -> f64 {
+pub(crate) fn short(value: f64) -> f64 {
     format!("{value:.14e}").parse().unwrap_or(value)
 }
 
@@ -152,7 +152,7 @@ impl<'m> Gather<'m> {
 
     /// Adds the reasons for a wrong order of the rows to the faults.
     pub(crate) fn advise_order(&self, faults: &mut FaultCollector) {
-        faults.advise_order(self.order.of_backwards(|number| self.place(number)), self.order.of_same());
+        faults.advise_order(self.order.of_backwards(self.unit, |number| self.place(number)), self.order.of_same());
     }
 
     /// Returns the time of the last row that has one.

@@ -81,7 +81,7 @@ impl Role {
     #[must_use]
     pub const fn names(self) -> &'static [&'static str] {
         match self {
-            Self::Time => &["time", "t", "zeit", "timestamp", "zeitstempel", "uhrzeit", "x_value"],
+            Self::Time => &["time", "t", "zeit", "timestamp", "zeitstempel", "uhrzeit", "epoch", "datetime", "x_value"],
             Self::Position => &[
                 "position",
                 "pos",

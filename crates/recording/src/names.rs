@@ -57,6 +57,17 @@ impl Named {
         }
     }
 
+    /// Splits off a share of a rated value too: `Torque_pct`, `Drehmoment %`, which a heading of a recording states as it does a
+    /// unit.
+    pub(crate) fn with_share(written: &str) -> Self {
+        let named = Self::marked(written);
+        let is_split = |(bare, share): &(&str, &str)| !bare.trim().is_empty() && is_share(share);
+        match named.bare.rsplit_once(['_', ' ']).filter(|split| named.unit.is_none() && is_split(split)) {
+            Some((bare, share)) => Self { bare: bare.trim_end().to_owned(), unit: Some(share.to_owned()) },
+            None => named,
+        }
+    }
+
     /// Splits off a unit of a role after an underscore or a space, `time_s`, `vel_mm_s`, `n_1_min`, `Pos mm`, if no unit is
     /// marked. `fits` tests the name first, which is cheaper than searching units.
     pub(crate) fn for_role(&self, role: Role, fits: impl Fn(&str) -> bool) -> Option<Self> {
@@ -82,12 +93,13 @@ impl Named {
         if is_name(&self.bare.to_lowercase()) {
             return Some(Sureness::Plain);
         }
-        // With anything but a plain name, a unit of another dimension indicates another quantity.
-        if self
-            .unit
-            .as_deref()
-            .is_some_and(|unit| role.dimensions().iter().all(|of| Unit::of_dimension(*of, unit).is_none()))
-        {
+        // With anything but a plain name, a unit of another dimension indicates another quantity; a share of a rated value is of
+        // the same.
+        let is_of_another = |unit: &str| {
+            let is_unit = role.dimensions().iter().any(|of| Unit::of_dimension(*of, unit).is_some());
+            !is_unit && (role == Role::Time || !is_share(unit))
+        };
+        if self.unit.as_deref().is_some_and(is_of_another) {
             return None;
         }
         let own = self.bare.rsplit(['.', ':', '!', '|', '\\', '/']).find(|part| !part.trim().is_empty())?;
@@ -100,20 +112,44 @@ impl Named {
             .filter(|word| ![MEASURED, COMMANDED, FILLING].iter().any(|list| list.contains(word)))
             .filter(|word| !word.bytes().all(|byte| byte.is_ascii_digit()))
             .collect();
+        // A commanded torque in percent is no load, and none that was measured.
+        if is_commanded && self.unit.as_deref().is_some_and(is_share) {
+            return None;
+        }
         is_name(&core).then_some(if is_commanded { Sureness::Commanded } else { Sureness::Measured })
     }
+}
+
+/// Words for a share, as headings of loggers have them in the place of a unit.
+const SHARES: [&str; 8] = ["pct", "perc", "percent", "percentage", "prozent", "permille", "promille", "permil"];
+
+/// Returns `true` if a text in the place of a unit states a share of a rated value: `%`, `0.1%`, `% rated`, `pct`.
+#[must_use]
+pub fn is_share(unit: &str) -> bool {
+    unit.contains(['%', '‰']) || words(unit).iter().any(|word| SHARES.contains(&word.as_str()))
 }
 
 /// Returns the number of words of a parameter number before a name, as drives write it: `r0063 Drehzahlistwert`,
 /// `S-0-0051 Lageistwert`. A letter with fewer digits is a name, `q1`.
 fn parameter_number(words: &[String]) -> usize {
     let is_number = |word: &String| word.bytes().all(|byte| byte.is_ascii_digit());
+    match words {
+        [index, _, ..] if is_object_index(index, true) => return 1,
+        [zero, index, _, ..] if zero == "0x" && is_object_index(index, false) => return 2,
+        _ => {}
+    }
     let Some((letter, rest)) = words.split_first().filter(|(letter, _)| letter.len() == 1 && !is_number(letter)) else {
         return 0;
     };
     let numbers = rest.iter().take_while(|word| is_number(word)).count();
     let is_parameter = rest.iter().take(numbers).any(|number| number.len() > 2) && rest.len() > numbers;
     if is_parameter && letter.is_ascii() { 1 + numbers } else { 0 }
+}
+
+/// Returns `true` for the index of an object of a drive profile (CiA 402), `6064h`, or its four digits without the letter.
+fn is_object_index(word: &str, has_letter: bool) -> bool {
+    let digits = if has_letter { word.strip_suffix('h') } else { Some(word) };
+    digits.is_some_and(|digits| digits.len() == 4 && digits.bytes().all(|digit| digit.is_ascii_hexdigit()))
 }
 
 /// Words before the number or the letter of an axis or a channel.
@@ -204,6 +240,9 @@ fn bracketed(written: &str) -> Option<(String, &str)> {
     let units: Vec<&(&str, &str, &str)> = groups.iter().filter(is_unit).collect();
     let unit = units.iter().rev().find(|part| !units.iter().any(|whole| is_within(part, whole))).copied();
     let is_about = |inner: &str| {
+        if is_share(inner) {
+            return false;
+        }
         let words = words(inner);
         let about = |word: &String| {
             word.bytes().all(|byte| byte.is_ascii_digit())
@@ -342,8 +381,13 @@ mod tests {
             ("q [degr]", "q", Some("degr")),
             ("q (1) (deg)", "q (1)", Some("deg")),
             ("M", "M", None),
+            ("Axis1.ActTorque [0.1%]", "Axis1.ActTorque", Some("0.1%")),
+            ("Torque_pct", "Torque", Some("pct")),
+            ("Drehmoment %", "Drehmoment", Some("%")),
+            ("Drehmoment in Prozent", "Drehmoment", Some("Prozent")),
+            ("percent", "percent", None),
         ] {
-            let named = Named::marked(written);
+            let named = Named::with_share(written);
             assert_eq!((named.bare.as_str(), named.unit.as_deref()), (bare, unit), "{written}");
         }
     }
@@ -422,6 +466,13 @@ mod tests {
             ("Positionssollwert", Role::Position, Some(Commanded)),
             ("Momentenistwert", Role::Torque, Some(Measured)),
             ("Uhrzeit", Role::Time, Some(Plain)),
+            ("Istmoment [%]", Role::Torque, Some(Measured)),
+            ("Act. torque [% rated]", Role::Torque, Some(Measured)),
+            ("6077h Torque actual value", Role::Torque, Some(Measured)),
+            ("0x6064 Position actual value", Role::Position, Some(Measured)),
+            ("Torque utilization [%]", Role::Torque, None),
+            ("Torque Reference [%]", Role::Torque, None),
+            ("Zeit ist [%]", Role::Time, None),
             ("List", Role::Position, None),
             ("istx", Role::Position, None),
             // Another quantity, or one at another place.

@@ -2,6 +2,7 @@
 
 use crate::ahead::Ahead;
 use crate::cells::CellSplitter;
+use crate::clock::is_clock;
 use crate::collected::FaultCollector;
 use crate::columns::{Heading, Pick, pick, writable};
 use crate::csv::advance;
@@ -37,6 +38,8 @@ pub struct PreviewColumn {
     pub role: Option<Role>,
     /// Unit stated in the heading or in the row below it, as written.
     pub unit: Option<String>,
+    /// The first rows hold times of a clock, which need no unit.
+    pub is_clock: bool,
 }
 
 /// Maximum number of columns shown.
@@ -72,6 +75,10 @@ pub fn preview_csv(source: impl Read, rows: usize) -> Option<Preview> {
             heading.below = Some(cell.clone());
         }
     }
+    // Below a row of units the second one is the first of the values.
+    for (index, heading) in headings.iter_mut().enumerate() {
+        heading.is_clock = rows_read.iter().take(2).any(|row| row.get(index).is_some_and(|cell| is_clock(cell)));
+    }
     rows_read.truncate(rows);
     let short = |row: Vec<String>| row.iter().take(PREVIEW_COLUMNS_MAX).map(|cell| excerpt(cell)).collect();
     Some(Preview { rows: rows_read.into_iter().map(short).collect(), ..of_headings(&headings) })
@@ -101,6 +108,7 @@ fn of_headings(headings: &[Heading]) -> Preview {
             name: writable(headings, heading).unwrap_or_else(|| format!("#{}", index + 1)),
             role,
             unit: stated.into_iter().flatten().find(is_unit).cloned(),
+            is_clock: heading.is_clock,
         }
     };
     let columns = headings.iter().enumerate().take(PREVIEW_COLUMNS_MAX).map(column).collect();

@@ -41,6 +41,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         Assumption::RecordedKey(remark) => return key_text(remark, language),
         Assumption::Motionless(segment, hidden_rad_s) => return motionless_text(segment, hidden_rad_s, language),
         Assumption::Overruns(overrun) => return overrun_text(&overrun, language),
+        Assumption::RecordedTorqueNoise(deviation_nm) => return torque_noise_text(deviation_nm, language),
         Assumption::RecordedSteps(made_up, torque) => return spurious_text(&made_up, torque, language),
         Assumption::SplineThroughPoints(Spline::Cubic) => (
             "a cubic spline goes through the points of the cam table: the acceleration is continuous there (C²), the jerk is discontinuous; at the ends the acceleration may be discontinuous",
@@ -515,6 +516,15 @@ fn spurious_text(made_up: &MadeUp, torque_nm: f64, language: Language) -> String
             )
         }
     }
+}
+
+fn torque_noise_text(deviation_nm: f64, language: Language) -> String {
+    let of = |torque: f64| figure(torque, &NEWTON_METRE, language);
+    let (noise, peak) = (of(deviation_nm), of(3.5 * deviation_nm));
+    said!(language =>
+        "the recorded torque has noise of {noise} (standard deviation), which adds up to {peak} to T_peak, and {noise} to T_rms by its square; smoothing = \"…\" reduces it"
+        | "das aufgezeichnete Drehmoment hat Rauschen von {noise} (Standardabweichung), das T_peak um bis zu {peak} erhöht und mit {noise} quadratisch in T_rms eingeht; smoothing = \"…\" verringert es"
+    )
 }
 
 /// Returns the remedy for steps of a column.

@@ -228,6 +228,14 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
             "{value} times the speed of the position: apparently revolutions per minute of the motor shaft; multiply by 2π/60 and divide by i, where it is negative by −i",
             "das {value}-Fache der Drehzahl aus der Position: offenbar Umdrehungen je Minute der Motorwelle; mit 2π/60 multiplizieren und durch i teilen, bei negativem Wert durch −i",
         ),
+        (Column::Position, Misread::BehindStage) => (
+            "{value} times what the motor or the project's motion gives: apparently the position behind the stage; the column is that of the actuator's output: multiply it by the ratio of the stage",
+            "das {value}-Fache dessen, was Motor oder Bewegung des Projekts ergeben: offenbar die Position hinter der Stufe; die Spalte ist die am Abtrieb des Antriebs: mit der Übersetzung der Stufe multiplizieren",
+        ),
+        (_, Misread::BehindStage) => (
+            "{value} times the speed of the position: apparently the speed behind the stage; multiply it by the ratio of the stage",
+            "das {value}-Fache der Drehzahl aus der Position: offenbar die Drehzahl hinter der Stufe; mit der Übersetzung der Stufe multiplizieren",
+        ),
         (_, Misread::Milliseconds) => (
             "{value} times the speed of the position: apparently the time is in milliseconds; divide time_s by 1000",
             "das {value}-Fache der Drehzahl aus der Position: die Zeit steht offenbar in Millisekunden; time_s durch 1000 teilen",

@@ -120,8 +120,8 @@ texts! {
         "both refer to I_0 of the ratio; the sizing is the steady state and permits the continuous curve; the twin starts at zero, runs the stated cycles and trips at 1"
         | "beide beziehen sich auf I_0 der Untersetzung; die Auslegung gilt eingeschwungen und lässt die Dauerkennlinie zu; der Zwilling beginnt bei null, rechnet die angegebenen Zyklen und löst bei 1 aus";
     why_regeneration =
-        "the sizing assumes a cold winding, the twin uses the winding temperature of the run; the oscillation exchanges energy"
-        | "die Auslegung rechnet mit kalter Wicklung, der Zwilling mit der Wicklungstemperatur des Laufs; die Schwingung tauscht Energie aus";
+        "the sizing assumes a cold winding, the twin uses the winding temperature of the run; the oscillation exchanges energy; where k_TM and k_EM of the table do not describe one motor, the twin's voltage follows k_EM, and their difference is a line of the energy balance"
+        | "die Auslegung rechnet mit kalter Wicklung, der Zwilling mit der Wicklungstemperatur des Laufs; die Schwingung tauscht Energie aus; wo k_TM und k_EM der Tabelle nicht einen Motor beschreiben, folgt die Spannung des Zwillings k_EM, und ihre Differenz steht in der Energiebilanz";
     refused_missing(symbol) = "no simulation: {symbol} is not known" | "keine Simulation: {symbol} ist nicht bekannt";
     refused_recorded =
         "no simulation: the torque of the joint is recorded with its motion and cannot be derived from a state"

@@ -180,6 +180,10 @@ texts! {
     still_missing(faults) =
         "still to be stated before a calculation: {faults}"
         | "vor einer Berechnung noch anzugeben: {faults}";
+    recording_to_mend(fault) =
+        "to be put right in the recording or in its segment: {fault}"
+        | "in der Aufzeichnung oder in ihrem Segment noch zu berichtigen: {fault}";
+    new_project_with(name) = "(new project with {name})" | "(neues Projekt mit {name})";
     set_thousands(key, written) =
         "{key}: \"{written}\" is ambiguous, with a thousands separator or a decimal separator"
         | "{key}: „{written}“ ist mehrdeutig, mit Tausender- oder Dezimaltrennzeichen";

@@ -150,6 +150,28 @@ fn a_project_begins_with_a_recording() {
         let sized = run(&["size", &out, "--top", "1"]);
         assert!(sized.code < 2, "{heading}\n{}\n{text}", sized.err);
     }
+    // What the segment or a change of values puts right is told, and the project is written.
+    for (heading, told) in [
+        ("t [s];A1 Istposition [deg];A2 Istposition [deg];spare", "A1 Istposition"),
+        ("t [s];note;Motordrehzahl [1/min];spare", "Motordrehzahl"),
+        ("t [s];Position;note;spare", "\"Position\""),
+        ("mark;Position [deg];note;spare", "\"mark\""),
+        ("t [s];Position [deg];Istmoment [%];spare", "6076h"),
+        ("epoch_ms;Position [deg];note;spare", ""),
+    ] {
+        let (table, out) = (path("run.csv"), path("axis.toml"));
+        for damage in ["", "0,05;#NV;#NV;7\r\n"] {
+            let more: String = (101..=110).map(row).collect();
+            std::fs::write(&table, format!("{heading}\r\n{rows}{damage}{more}")).unwrap();
+            let made = run(&["new", "recording", "--from", &table, "--out", &out, "--force"]);
+            assert_eq!(made.code, 0, "{heading} {}", made.err);
+            assert!(made.err.contains(told) && !made.err.contains("axis.toml:"), "{heading}\n{}", made.err);
+            let refused = run(&["size", &table]);
+            assert!(refused.code == 2 && refused.err.contains("(new project with "), "{heading}\n{}", refused.err);
+            let mut places = refused.err.lines().filter(|line| line.trim_start().starts_with("-->"));
+            assert!(places.all(|line| line.contains("(new project with ")), "{}", refused.err);
+        }
+    }
     std::fs::write(path("note.csv"), "a note\n").unwrap();
     for file in ["note.csv", "missing.csv"] {
         let refused = run(&["new", "recording", "--from", &path(file)]);

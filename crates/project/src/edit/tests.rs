@@ -75,6 +75,22 @@ fn types_are_those_of_the_keys_and_what_is_none_stays_text() {
     assert_eq!(typed("load.inertia", "a \"quoted\" \\ one"), "'a \"quoted\" \\ one'");
 }
 
+/// A list typed in brackets is the one typed without.
+#[test]
+fn a_list_may_be_typed_as_the_file_writes_it() {
+    let plain = edit(TEXT, "requirements.feedback", Edit::Value("C1024, D2048")).unwrap();
+    for typed in ["[\"C1024\", \"D2048\"]", " ['C1024','D2048'] ", "[\n \"C1024\",\n \"D2048\",\n]"] {
+        let listed = edit(TEXT, "requirements.feedback", Edit::Value(typed)).unwrap();
+        assert_eq!(value(&listed, "requirements.feedback"), value(&plain, "requirements.feedback"), "{typed}");
+    }
+    let plain = edit(TEXT, "stage.ratios", Edit::Value("0.5, 6")).unwrap();
+    let listed = edit(TEXT, "stage.ratios", Edit::Value("[0.5, 6]")).unwrap();
+    assert_eq!(value(&listed, "stage.ratios"), value(&plain, "stage.ratios"));
+    // What is no list stays what was typed, for its fault.
+    let broken = edit(TEXT, "stage.ratios", Edit::Value("[0.5, 6")).unwrap();
+    assert!(broken.contains("[0.5"), "{broken}");
+}
+
 #[test]
 fn entries_of_a_list_come_go_and_change_places_with_all_that_is_theirs() {
     let swapped = edit(TEXT, "motion[1]", Edit::Down).unwrap();

@@ -154,15 +154,59 @@ pub const SINGLE_MOVE: &str = "axis.single_move";
 pub struct Readiness {
     /// Messages about the keys that the user has yet to state: those of a recorded machine.
     pub missing: Vec<String>,
+    /// Faults of the recording, each with what to write, in the file or in the project; none of the places that a call names.
+    pub recording: Vec<String>,
     /// The motion does not return to its beginning.
     pub is_open: bool,
 }
+
+/// Identifiers of the faults of a recording that its segment or a change of its values puts right: the file is a table, and a
+/// project with it has a meaning.
+const OF_RECORDING: [&str; 34] = [
+    "recording_time_missing",
+    "recording_course_missing",
+    "recording_columns_ambiguous",
+    "recording_several_axes",
+    "recording_heading_missing",
+    "recording_heading_of_units",
+    "recording_unit_missing",
+    "recording_unit_unknown",
+    "recording_unit_wrong",
+    "recording_unit_scaled",
+    "recording_unit_contradiction",
+    "recording_unit_of_cell",
+    "recording_course_mixed",
+    "recording_clock_unknown",
+    "recording_column_type",
+    "recording_value_missing",
+    "recording_value_unreadable",
+    "recording_value_not_finite",
+    "recording_value_implausible",
+    "recording_decimal_mixed",
+    "recording_thousands_grouped",
+    "recording_thousands_possible",
+    "recording_ragged",
+    "recording_position_jumps",
+    "recording_speed_jumps",
+    "recording_time_backwards",
+    "recording_same_time",
+    "recording_times_too_close",
+    "recording_times_differ",
+    "recording_gap",
+    "recording_scale_unknown",
+    "recording_step_undecided",
+    "recording_turn_begun",
+    "recording_more_faults",
+];
+
+/// Number of faults of a recording that a call states; the next reading states the others.
+const RECORDING_FAULTS_MOST: usize = 3;
 
 /// Reads a new project as a question does, with its recording; `files` are those of its folder.
 ///
 /// # Errors
 /// Every fault, each with its place in the text; of a project that begins with a recording of the user (`is_recorded`) not the keys
-/// that only the user knows, nor a motion that does not return.
+/// that only the user knows, nor a motion that does not return, nor what is put right in the recording or in its segment.
 pub fn checked(
     template: &Template,
     is_recorded: bool,
@@ -177,11 +221,18 @@ pub fn checked(
     match source.projects(crate::embedded_catalogue(), progress, language) {
         Ok(_) => Ok(readiness),
         Err(Unanswered::Text { name, text, faults }) => {
-            let of_user = |fault: &Worded| fault.id != MISSING && !fault.id.ends_with(NOT_CLOSED);
-            if !is_recorded || faults.iter().any(of_user) {
+            let of_recording = |fault: &&Worded| OF_RECORDING.contains(&fault.id);
+            let of_program =
+                |fault: &Worded| fault.id != MISSING && !fault.id.ends_with(NOT_CLOSED) && !of_recording(&fault);
+            if !is_recorded || faults.iter().any(of_program) {
                 return Err(Unanswered::Text { name, text, faults });
             }
             readiness.is_open = faults.iter().any(|fault| fault.id.ends_with(NOT_CLOSED));
+            let told = |fault: &Worded| match &fault.hint {
+                Some(hint) => format!("{} ({hint})", fault.message),
+                None => fault.message.clone(),
+            };
+            readiness.recording = faults.iter().filter(of_recording).take(RECORDING_FAULTS_MOST).map(told).collect();
             readiness.missing =
                 faults.into_iter().filter(|fault| fault.id == MISSING).map(|fault| fault.message).collect();
             Ok(readiness)

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed expectation is a failed test")]
 
-use recording::{Fault, FileRow, Layout, Remedy, read_csv};
+use recording::{Fault, FileRow, Layout, Remedy, Stamp, read_csv};
 
 /// Returns a file with these times in milliseconds.
 fn file(times: impl IntoIterator<Item = u32>) -> String {
@@ -34,10 +34,42 @@ fn a_wrong_order_is_refused_with_its_reason() {
             repeated.insert(at, repeated[at]);
             assert_eq!(remedy(&file(repeated)), Some(Remedy::DeleteRepeated), "{rows} {at}");
         }
+        // The memory of a logger that overwrites its oldest rows.
+        let mut ring: Vec<u32> = times().collect();
+        ring.rotate_left(5);
+        assert_eq!(remedy(&file(ring)), Some(Remedy::Sort), "{rows}");
         let mut sorted_badly: Vec<u32> = times().collect();
         sorted_badly.rotate_left(5);
         sorted_badly.swap(1, 9);
         assert_eq!(remedy(&file(sorted_badly)), Some(Remedy::Sort), "{rows}");
+    }
+}
+
+/// A clock that is set back, by an hour or by a little, is refused with the seconds to add.
+#[test]
+fn a_clock_set_back_is_no_disorder() {
+    for rows in [20_u32, 300, 5000] {
+        for at in [rows / 4, rows / 2, rows - 3] {
+            let line = FileRow::Line(u64::from(at) + 2);
+            let stamp = |k: u32, hour: u32| {
+                let second = 10 * k;
+                format!("2025-10-26T{:02}:{:02}:{:02}", hour + second / 3600, second / 60 % 60, second % 60)
+            };
+            let row = |k: u32| format!("{},{}\n", stamp(k, if k < at { 2 } else { 1 }), f64::from(k) * 0.1);
+            let text = format!("t,q [deg]\n{}", (0..rows).map(row).collect::<String>());
+            let found = remedy(&text);
+            let is_by = |by: Stamp, seconds: f64| (by.unit.to_si(by.value) - seconds).abs() < 1e-9;
+            assert!(
+                matches!(found, Some(Remedy::SetBack { at, by }) if at == line && is_by(by, 3600.0)),
+                "{rows} {at}: {found:?}"
+            );
+            let a_little = (0..rows).map(|k| if k < at { 2 * k + 100 } else { 2 * k + 89 });
+            let found = remedy(&file(a_little));
+            assert!(
+                matches!(found, Some(Remedy::SetBack { at, by }) if at == line && is_by(by, 0.011)),
+                "{rows} {at}: {found:?}"
+            );
+        }
     }
 }
 

@@ -46,6 +46,8 @@ identified! {
         MotorShaft = "motor_shaft",
         /// The motor shaft in revolutions per minute.
         MotorShaftPerMinute = "motor_shaft_per_minute",
+        /// The shaft behind the stage instead of the output of the actuator.
+        BehindStage = "behind_stage",
         /// Milliseconds instead of seconds.
         Milliseconds = "milliseconds",
         /// Minutes instead of seconds.
@@ -179,11 +181,12 @@ impl Signals {
         let followed = followed.filter(|followed| followed.follows());
         let tabulated = Tabulated::of(stated.parameters);
         let ratio = tabulated.as_ref().map_or(f64::NAN, |tabulated| tabulated.ratio);
+        let stage = stated.mechanism.stage_ratio();
         let mut doubts = Vec::new();
         if let Some(slope) = followed.map(|followed| followed.slope) {
             // A run may make smaller or larger moves; only ratios with a known cause are doubts.
             let names = [(DEGREES, Misread::Degrees), (0.5 / PI, Misread::Turns), (ratio, Misread::MotorShaft)];
-            let named = nearest(slope, &names);
+            let named = nearest(slope, &names).or_else(|| nearest(slope, &behind_stage(1.0 / stage)));
             doubts.extend(named.map(|misread| Doubt::new(Column::Position, misread, slope)));
         }
         let against = |signal: &[f64]| {
@@ -235,11 +238,27 @@ impl Signals {
             // A motor speed whose ratio is that of degrees may also be on the motor side, which is more likely.
             let own = nearest(value, &names);
             let side = if column == Column::MotorSpeed { nearest(value, &of_motor) } else { None };
-            let misread = side.or(own).unwrap_or(Misread::Other);
-            doubts.push(Doubt::new(column, misread, value));
+            // Behind a stage the position moves by 1/i_s of what the motor moves; a speed of it is that of another shaft.
+            let of_stage = match column {
+                Column::MotorSpeed => nearest(value, &behind_stage(stage)).map(|misread| (Column::Position, misread)),
+                _ => nearest(value, &behind_stage(1.0 / stage)).map(|misread| (column, misread)),
+            };
+            let found = match (side.or(own), of_stage) {
+                (None, Some((column, misread))) => Doubt::new(column, misread, 1.0 / stage),
+                (named, _) => Doubt::new(column, named.unwrap_or(Misread::Other), value),
+            };
+            let is_known = |doubt: &Doubt| doubt.column == found.column && doubt.misread == found.misread;
+            if !doubts.iter().any(is_known) {
+                doubts.push(found);
+            }
         }
         Self { doubts }
     }
+}
+
+/// Returns the ratio of a signal behind a stage; none without a stage.
+fn behind_stage(ratio: f64) -> Vec<(f64, Misread)> {
+    if (ratio.abs() - 1.0).abs() < AGREE { Vec::new() } else { vec![(ratio, Misread::BehindStage)] }
 }
 
 /// Returns the convention with a ratio.

@@ -1,5 +1,6 @@
 //! Identification recovers planted values: simulate, add noise, identify.
 
+mod behind_stage;
 mod zero_and_pace;
 
 use super::parameters;

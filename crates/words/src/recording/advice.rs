@@ -14,7 +14,8 @@ fn line(key: &str, time: Stamp) -> String {
 pub(super) fn advised(found: &Fault, remedy: Remedy, language: Language) -> (String, Option<String>) {
     let (message, own) = fault(found, language);
     // A counter of time that overflows begins anew too.
-    let is_known = own.is_some() && matches!(remedy, Remedy::KeepOne { .. } | Remedy::Sort | Remedy::Exchange { .. });
+    let is_known = own.is_some()
+        && matches!(remedy, Remedy::KeepOne { .. } | Remedy::Sort | Remedy::SetBack { .. } | Remedy::Exchange { .. });
     let advice = (!is_known).then(|| advice(remedy, language));
     let hints: Vec<String> = own.into_iter().chain(advice).collect();
     (message, Some(hints.join("; ")))
@@ -47,6 +48,13 @@ fn advice(remedy: Remedy, language: Language) -> String {
             said!(language =>
                 "{at} begins anew at the first time: the file contains several recordings one after another, or one of them twice; keep one, and name each in a segment of its own if all are needed"
                 | "{at} beginnt wieder mit der ersten Zeit: die Datei enthält mehrere Aufzeichnungen nacheinander oder eine doppelt; eine davon behalten, bei mehreren jede als eigene Datei in einem eigenen Abschnitt angeben"
+            )
+        }
+        Remedy::SetBack { at, by } => {
+            let (at, by) = (place(at, language), stamp(by, language));
+            said!(language =>
+                "{at} jumps back in time, and the rows go on from there: if the clock was set back (end of summer time, synchronisation), add {by} to the times from this row on, or log in UTC; if two recordings overlap, keep one"
+                | "{at} springt in der Zeit zurück, von dort laufen die Zeilen weiter: wurde die Uhr zurückgestellt (Ende der Sommerzeit, Synchronisierung), zu den Zeiten ab dieser Zeile {by} addieren oder in UTC aufzeichnen; überschneiden sich zwei Aufzeichnungen, eine davon behalten"
             )
         }
         Remedy::Exchange { rows: [first, second] } => {

@@ -2,7 +2,7 @@
 
 use crate::texts::said;
 use quantities::Language;
-use recording::Role;
+use recording::{Role, is_share};
 
 /// Returns the word of the file for a role.
 #[must_use]
@@ -59,13 +59,13 @@ pub(super) fn of_column(role: Role, unit: &str, language: Language) -> Option<St
             | "Inkremente sind erst dann ein Winkel, wenn bekannt ist, wie viele eine Umdrehung ergeben; bei N Inkrementen je Umdrehung des Abtriebs: units = {{ {key} = \"{unit}\" }} und recorded_ratio = {{ {key} = N }}"
         ));
     }
-    if written.contains(['%', '‰']) && role == Role::Torque {
+    if is_share(unit) && role == Role::Torque {
         return Some(said!(language =>
             "a share of the rated torque is no torque until that is known: multiply the column by the rated torque of the recorded drive (CiA 402: object 6076h) and write the unit into the heading, for example [N m]; a column without use: columns = {{ {key} = \"none\" }}"
             | "ein Anteil des Nenndrehmoments ist erst dann ein Moment, wenn dieses bekannt ist: die Spalte mit dem Nenndrehmoment des aufgezeichneten Antriebs multiplizieren (CiA 402: Objekt 6076h) und die Einheit in die Kopfzeile schreiben, zum Beispiel [N m]; ohne diese Spalte: columns = {{ {key} = \"none\" }}"
         ));
     }
-    if written.contains('%') && role == Role::Speed {
+    if is_share(unit) && role == Role::Speed {
         return Some(said!(language =>
             "a share of a reference speed is no speed until that is known: multiply the column by the reference speed of the recorded drive and write the unit into the heading, for example [1/min]"
             | "ein Anteil der Bezugsdrehzahl ist erst dann eine Drehzahl, wenn diese bekannt ist: die Spalte mit der Bezugsdrehzahl des aufgezeichneten Antriebs multiplizieren und die Einheit in die Kopfzeile schreiben, zum Beispiel [1/min]"
@@ -91,6 +91,9 @@ mod tests {
                 (Role::Torque, "%", Some("6076h")),
                 (Role::Torque, "% Mn", Some("6076h")),
                 (Role::Torque, "0.1%", Some("6076h")),
+                (Role::Torque, "pct", Some("6076h")),
+                (Role::Torque, "Prozent", Some("6076h")),
+                (Role::Speed, "percent", Some("[1/min]")),
                 (Role::Speed, "%", Some("[1/min]")),
                 (Role::Position, "in", None),
                 (Role::Position, "mm", None),
