@@ -194,10 +194,8 @@ fn reference(dimension: Dimension) -> Value {
 /// inside a unit.
 fn pattern(dimension: Dimension) -> String {
     const NUMBER: &str = r"([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?";
-    // A tolerance of a temperature is a difference of temperatures.
-    let half = if dimension == Dimension::Temperature { Dimension::TemperatureInterval } else { dimension };
-    let signs = quantities::PLUS_MINUS.map(escape).join("|");
-    format!(r"^\s*[+-]?{NUMBER}\s*({})\s*(({signs})\s*{NUMBER}\s*(%|{})\s*)?$", spellings(dimension), spellings(half))
+    let (units, signs) = (spellings(dimension), quantities::PLUS_MINUS.map(escape).join("|"));
+    format!(r"^\s*[+-]?{NUMBER}\s*({units})\s*(({signs})\s*{NUMBER}\s*(%|{units})\s*)?$")
 }
 
 /// Returns the units of a quantity as alternatives of a regular expression.

@@ -33,6 +33,8 @@ mod seen;
 mod spelling;
 mod tolerance;
 
+#[macro_use]
+mod unit_table;
 pub mod unit;
 mod units;
 

@@ -9,7 +9,7 @@ use crate::layout::{Layout, Role};
 use crate::limits::{MAGNITUDE_MAX, SAMPLES_MAX, SAMPLES_MIN, STEP_MIN_S};
 use crate::memory::Memory;
 use crate::modulo::{first_jump, undecided_step, unwrap_revolutions};
-use crate::number::{Bad, Tick};
+use crate::number::{Bad, Tick, short};
 use crate::order::Order;
 use crate::series::{Along, ColumnRead, RecordedCourse, Recording, Series};
 use quantities::{Angle, Measure, Time, Unit};
@@ -71,11 +71,6 @@ pub(crate) struct Gather<'m> {
 
 /// Relative deviation of times in faults, which are shown with fifteen digits.
 const SHOWN: f64 = 1e-14;
-
-/// Rounds a time to fifteen digits, for a line to write.
-pub(crate) fn short(value: f64) -> f64 {
-    format!("{value:.14e}").parse().unwrap_or(value)
-}
 
 /// Checks the window of the layout.
 pub(crate) fn check_window(layout: &Layout, faults: &mut FaultCollector) {

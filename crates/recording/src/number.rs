@@ -288,6 +288,11 @@ fn part(fraction: &str) -> Option<f64> {
     digits.bytes().all(|c| c.is_ascii_digit()).then(|| fraction.parse().ok()).flatten()
 }
 
+/// Rounds a time to fifteen digits, for a line to write.
+pub(crate) fn short(value: f64) -> f64 {
+    format!("{value:.14e}").parse().unwrap_or(value)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,8 +1,7 @@
 //! Order of the rows by their times, and the reason for one that is wrong.
 
 use crate::faults::{FileRow, Remedy, Stamp};
-use crate::gather::short;
-use crate::number::Tick;
+use crate::number::{Tick, short};
 use quantities::Unit;
 
 /// Smallest share of rows with the time of the row before that are those of rounded time stamps.

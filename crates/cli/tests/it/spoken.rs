@@ -151,7 +151,7 @@ fn a_project_begins_with_a_recording() {
         assert!(sized.code < 2, "{heading}\n{}\n{text}", sized.err);
     }
     // What the segment or a change of values puts right is told, and the project is written.
-    for (heading, told) in [
+    for (heading, part) in [
         ("t [s];A1 Istposition [deg];A2 Istposition [deg];spare", "A1 Istposition"),
         ("t [s];note;Motordrehzahl [1/min];spare", "Motordrehzahl"),
         ("t [s];Position;note;spare", "\"Position\""),
@@ -165,7 +165,7 @@ fn a_project_begins_with_a_recording() {
             std::fs::write(&table, format!("{heading}\r\n{rows}{damage}{more}")).unwrap();
             let made = run(&["new", "recording", "--from", &table, "--out", &out, "--force"]);
             assert_eq!(made.code, 0, "{heading} {}", made.err);
-            assert!(made.err.contains(told) && !made.err.contains("axis.toml:"), "{heading}\n{}", made.err);
+            assert!(made.err.contains(part) && !made.err.contains("axis.toml:"), "{heading}\n{}", made.err);
             let refused = run(&["size", &table]);
             assert!(refused.code == 2 && refused.err.contains("(new project with "), "{heading}\n{}", refused.err);
             let mut places = refused.err.lines().filter(|line| line.trim_start().starts_with("-->"));
