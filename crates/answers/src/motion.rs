@@ -67,6 +67,8 @@ pub struct Recording {
     pub left_out_before: u64,
     /// Number of samples left out after the window.
     pub left_out_after: u64,
+    /// Number of lines skipped as comments: they begin with `#` and are no rows.
+    pub comments: u64,
     /// Columns read.
     pub columns: Vec<RecordedColumn>,
     /// Headings of the columns that are not used.

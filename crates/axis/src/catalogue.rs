@@ -33,6 +33,11 @@ pub trait Catalogue: Debug + Send + Sync {
     fn has_files(&self) -> bool {
         false
     }
+
+    /// Returns the names of the products of catalogue files.
+    fn names(&self) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 impl Catalogue for configurator::Catalogue {

@@ -68,6 +68,21 @@ impl Catalogue for FileCatalogue {
     fn has_files(&self) -> bool {
         true
     }
+
+    fn names(&self) -> Vec<String> {
+        let own = self.own.iter().map(|product| product.id.to_string());
+        self.base.names().into_iter().chain(own).collect()
+    }
+}
+
+/// Returns the names of products that a project knows beside the ordering codes: those of its catalogue files and of the
+/// catalogue, and those of the actuators that it describes. A file with faults has none.
+#[must_use]
+pub fn product_names(text: &str, files: &dyn Files, catalogue: &Arc<dyn Catalogue>) -> Vec<String> {
+    let Ok(project::ReadProject { project, .. }) = project::read(text) else { return catalogue.names() };
+    let with_files = read(project.shared.catalogue.as_ref(), files, catalogue, &mut AxisReport::new(text));
+    let own = project.axes.iter().filter_map(|axis| axis.parts.actuator.get()?.name.get().cloned());
+    with_files.as_ref().unwrap_or(catalogue).names().into_iter().chain(own).collect()
 }
 
 /// Returns the products of a catalogue file, in TOML or CSV by its ending, else by its content; `parameters` are those of an

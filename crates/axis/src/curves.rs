@@ -64,6 +64,10 @@ impl Catalogue for OwnCatalogue {
     fn has_files(&self) -> bool {
         self.catalogue.has_files()
     }
+
+    fn names(&self) -> Vec<String> {
+        self.catalogue.names()
+    }
 }
 
 /// A curve with the codes for which it holds.

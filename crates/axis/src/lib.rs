@@ -57,7 +57,7 @@ pub use assumption::{Assumption, Overrun, TemplateFigure, WindowEnd};
 pub use axis_project::{AxisProject, Choose};
 pub use bodies::{BodyAnswer, InertiaAnswer, inertia};
 pub use catalogue::{Catalogue, NoCatalogue};
-pub use catalogue_files::{FileCatalogue, read_products};
+pub use catalogue_files::{FileCatalogue, product_names, read_products};
 pub use drawn::drawn_figures;
 pub use fault::{AxisDiagnostic, AxisFault, CycleFault};
 pub use files::{Files, Grant, NoFiles, Reach};

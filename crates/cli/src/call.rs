@@ -99,13 +99,18 @@ fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<F
 
 /// Returns the catalogue of a call: that of the program, with the products of its catalogue files.
 fn catalogue(matches: &ArgMatches, language: Language) -> Result<Arc<dyn Catalogue>, Unanswered> {
+    let named: Vec<PathBuf> =
+        matches.try_get_many::<PathBuf>("catalogue").ok().flatten().into_iter().flatten().cloned().collect();
+    catalogue_of(&named, language)
+}
+
+/// Returns the catalogue of the program with the products of some catalogue files.
+pub(crate) fn catalogue_of(named: &[PathBuf], language: Language) -> Result<Arc<dyn Catalogue>, Unanswered> {
     let base = embedded_catalogue();
-    let named: Vec<&PathBuf> =
-        matches.try_get_many::<PathBuf>("catalogue").ok().flatten().into_iter().flatten().collect();
     if named.is_empty() {
         return Ok(Arc::clone(base));
     }
-    let read = |path: &&PathBuf| {
+    let read = |path: &PathBuf| {
         let name = path_text(path);
         let bytes = disk::read_file(path, CATALOGUE_MAX_BYTES);
         match bytes {

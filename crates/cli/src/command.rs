@@ -25,6 +25,7 @@ mod folder;
 mod kind;
 pub(crate) mod library;
 pub(crate) mod meant;
+mod names;
 pub(crate) mod own;
 pub(crate) mod parsed;
 mod proposed;

@@ -187,7 +187,8 @@ fn content<'p>(
             language,
         );
         let figures = drawn.join().unwrap_or_else(|_| figures());
-        Ok::<_, Refusal>(AxisContent { dossier, figures, chapters: Vec::new() })
+        let actuator_kind = answer::actuator_kind(&candidate, language).to_owned();
+        Ok::<_, Refusal>(AxisContent { dossier, actuator_kind, figures, chapters: Vec::new() })
     })?;
     Ok((content, candidate))
 }

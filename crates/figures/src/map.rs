@@ -168,7 +168,8 @@ fn description(
     marked: Option<&Candidate<'_>>,
     language: Language,
 ) -> String {
-    let fitting = all.iter().filter(|candidate| candidate.fits()).count();
+    let is_fitting = |candidate: &&&Candidate<'_>| candidate.fits() && !candidate.counts().are_all_open();
+    let fitting = all.iter().filter(is_fitting).count();
     let mut text = pictures::how_many_fit(&all.len(), &fitting, language);
     let sentence = |candidate: &Candidate<'_>| {
         let figure = by.of(candidate).map_or_else(|| "–".to_owned(), |si| amount(si, by.unit(), language));

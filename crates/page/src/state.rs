@@ -15,7 +15,7 @@ use quantities::Language;
 use questions::list::simulate::ScenarioId;
 use questions::{
     Draw, OpenCycle, ProductId, Progress, Refusal, SAMPLES_MOST, Sizing, Unread, closed, is_open_cycle,
-    read_all_watched, read_code,
+    read_all_watched, read_product,
 };
 use std::borrow::Cow;
 use words::{Worded, page};
@@ -275,8 +275,7 @@ pub(crate) struct ReadProject {
 /// Returns the identity of a product: an ordering code, else the name of a product of a catalogue file; `None` for an empty
 /// text.
 pub(crate) fn product_id(text: &str, language: Language) -> Option<ProductId> {
-    let code = read_code(text, language).ok().map(|reading| ProductId::from(reading.parsed.code));
-    code.or_else(|| (!text.trim().is_empty()).then(|| ProductId::named(text.trim())))
+    read_product(text, |_| true, language).ok()
 }
 
 impl PageState {

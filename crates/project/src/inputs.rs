@@ -3,6 +3,7 @@
 use crate::read::Reader;
 use crate::root::Root;
 use quantities::Unit;
+use quantities::unit::PERCENT;
 use std::collections::BTreeMap;
 use std::ops::Range as Span;
 
@@ -52,7 +53,8 @@ pub fn inputs(text: &str) -> Vec<Input> {
     let mut found = std::mem::take(&mut reader.inputs).unwrap_or_default();
     for tolerance in &reader.tolerances {
         let Some(input) = found.iter_mut().find(|input| input.path == tolerance.path) else { continue };
-        let of = |si: f64| tolerance.unit.from_si(si);
+        let unit = input.amount.map_or(tolerance.unit, |(_, unit)| unit);
+        let of = |si: f64| unit.from_si(si);
         input.half_width = Some(of(tolerance.nominal + tolerance.half_width) - of(tolerance.nominal));
     }
     found.sort_by_key(|input| (input.span.start, input.span.end));
@@ -116,8 +118,17 @@ impl Reader<'_> {
             .split_whitespace()
             .collect::<Vec<_>>()
             .join(" ");
+        let amount = amount.map(|(value, unit)| in_percent(&written).unwrap_or((value, unit)));
         inputs.push(Input { path: path.to_owned(), written, amount, half_width: None, span: span.clone() });
     }
+}
+
+/// Returns the number of a ratio that is written in percent.
+fn in_percent(written: &str) -> Option<(f64, &'static Unit)> {
+    let end = written.find(|sign: char| !matches!(sign, '0'..='9' | '.' | '-' | '+'))?;
+    let (number, rest) = written.split_at(end);
+    rest.trim_start().starts_with(PERCENT.symbol).then_some(())?;
+    Some((number.parse().ok()?, &PERCENT))
 }
 
 #[cfg(test)]
@@ -149,6 +160,23 @@ mod tests {
         assert!((of("requirements.ambient").half_width.unwrap() - 5.0).abs() < 1e-9);
         assert_eq!(of("requirements.feedback").written, "[\"C1024\", \"M512P\"]");
         assert_eq!(of("requirements.feedback").amount, None);
+    }
+
+    /// A ratio is a number in its unit as written: in percent where it is written in percent.
+    #[test]
+    fn a_ratio_keeps_the_percent_in_which_it_is_written() {
+        let of = |written: &str| {
+            let text = format!("{OLD}humidity_max = {written}\n");
+            let found = inputs(&text).into_iter().find(|input| input.path == "requirements.humidity_max").unwrap();
+            found.amount.map(|(value, unit)| (value, unit.symbol))
+        };
+        for percent in [1.0, 7.0, 29.0, 57.5, 75.0, 100.0] {
+            assert_eq!(of(&format!("\"{percent} %\"")), Some((percent, "%")), "{percent}");
+        }
+        assert_eq!(of("\"75%\""), Some((75.0, "%")));
+        assert_eq!(of("0.75"), Some((0.75, "1")));
+        let [one, other] = ["0.75", "\"75 %\""].map(|written| format!("{OLD}humidity_max = {written}\n"));
+        assert_eq!(input_changes((&one, 0), (&other, 0)), []);
     }
 
     #[test]

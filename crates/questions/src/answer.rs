@@ -30,7 +30,7 @@ pub use code::{code_faults, code_reading, completion, listed};
 pub use commission::{commissioning, drive_objects};
 pub use comparison::{comparison, difference};
 pub(crate) use dossier::document;
-pub use dossier::dossier;
+pub use dossier::{actuator_kind, dossier};
 pub use encoder::encoder;
 pub(crate) use errata::{cited_erratum, cited_once};
 pub use errata::{errata, erratum};

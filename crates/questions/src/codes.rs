@@ -1,6 +1,6 @@
 //! Reading, listing and completing ordering codes.
 
-use configurator::{Availability, BrokenRule, Choice, availability};
+use configurator::{Availability, BrokenRule, Choice, ProductId, availability};
 use order_code::{CodeError, CodeErrors, Field, OrderCode, Parsed, Pattern, Size};
 use project::Hint;
 use quantities::Language;
@@ -66,6 +66,23 @@ pub fn read_code(text: &str, language: Language) -> Result<CodeReading, CodeRefu
             let broken: Vec<(OrderCode, BrokenRule)> = broken.into_iter().map(|rule| (parsed.code, rule)).collect();
             Err(rules_broken(text, &broken, &parsed.spans, language))
         }
+    }
+}
+
+/// Reads the identity of a product: an ordering code, else a text that is the name of a product.
+///
+/// # Errors
+/// The reasons why a text that is no name is no code.
+pub fn read_product(
+    text: &str,
+    is_name: impl FnOnce(&str) -> bool,
+    language: Language,
+) -> Result<ProductId, CodeRefusal> {
+    let name = text.trim();
+    match read_code(text, language) {
+        Ok(reading) => Ok(reading.parsed.code.into()),
+        Err(_) if !name.is_empty() && is_name(name) => Ok(ProductId::named(name)),
+        Err(refusal) => Err(refusal),
     }
 }
 

@@ -19,11 +19,10 @@ use cells::Decimals;
 pub use cells::{CellFault, Cells, TableFaults};
 pub use head::Head;
 pub use judged::{Best, Every, Judged, OnFront};
-pub use labels::TableColumns;
+pub use labels::{BEST_COLUMNS, STAGE_RATIO, TableColumns};
 pub use meant::MeantHeading;
 pub use summary::{MissedBy, NotJudged, SweepCheck, SweepRow, SweepSummary, Tally};
 
-use crate::codes::read_code;
 use crate::list::Unanswered;
 use crate::progress::{Progress, Stopped};
 use crate::reading::{embedded_catalogue, read_all_with};
@@ -111,8 +110,8 @@ struct Column {
 
 /// Content of a column.
 enum Holds {
-    /// The ordering code for which the row is judged.
-    Code,
+    /// The ordering code for which the row is judged, or one of these names of products; any name for a project that is refused.
+    Code(Option<Vec<String>>),
     /// A key of the project.
     Key(Heading),
 }
@@ -179,7 +178,7 @@ impl Sweep {
     /// Returns the largest number of lines in the answer to a row.
     #[must_use]
     pub fn lines_of_row(&self) -> usize {
-        let is_of_code = self.columns.iter().any(|column| matches!(column.holds, Holds::Code));
+        let is_of_code = self.columns.iter().any(|column| matches!(column.holds, Holds::Code(_)));
         match self.options.wanted {
             Wanted::Every(_) | Wanted::Front if !is_of_code => self.codes.max(1),
             Wanted::Best | Wanted::Every(_) | Wanted::Front => 1,
@@ -303,7 +302,7 @@ impl Sweep {
             (Holds::Key(heading), Value::Number(_)) if heading.is_number() => None,
             (Holds::Key(_), Value::Number(number)) => Some(number.to_string()),
             (Holds::Key(_), Value::Text(text)) => Some((*text).to_owned()),
-            (Holds::Code, _) => None,
+            (Holds::Code(_), _) => None,
         };
         self.columns.iter().zip(values).filter_map(of).collect()
     }
@@ -343,14 +342,14 @@ impl Sweep {
     /// Returns the codes that the rows of some cells state; `None` without a column of codes.
     #[must_use]
     pub fn codes_of_rows(&self, cells: &[Cells<'_>]) -> Option<Vec<Option<String>>> {
-        let place = self.columns.iter().position(|column| matches!(column.holds, Holds::Code))?;
+        let (place, column) =
+            self.columns.iter().enumerate().find(|(_, column)| matches!(column.holds, Holds::Code(_)))?;
         match cells.get(place)? {
             Cells::Texts(texts) => {
                 let of = |text: &Option<Cow<'_, str>>| {
-                    text.as_deref().map(|text| match read_code(text, self.options.language) {
-                        Ok(found) => found.parsed.code.to_string(),
-                        Err(_) => text.trim().to_owned(),
-                    })
+                    let text = text.as_deref()?;
+                    let product = column.product(text, self.options.language).ok();
+                    Some(product.map_or_else(|| text.trim().to_owned(), |product| product.to_string()))
                 };
                 Some(texts.iter().map(of).collect())
             }
@@ -360,10 +359,7 @@ impl Sweep {
 
     fn product(&self, values: &[Value<'_>]) -> Option<ProductId> {
         let of = |(column, value): (&Column, &Value<'_>)| match (&column.holds, value) {
-            (Holds::Code, Value::Text(text)) => {
-                let found = read_code(text, self.options.language).ok()?;
-                Some(found.parsed.code.into())
-            }
+            (Holds::Code(_), Value::Text(text)) => column.product(text, self.options.language).ok(),
             _ => None,
         };
         self.columns.iter().zip(values).find_map(of)

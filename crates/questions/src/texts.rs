@@ -69,10 +69,12 @@ pub fn governing_text(candidate: &Candidate<'_>, language: Language) -> String {
 #[must_use]
 pub fn fitting_text(sizing: &Sizing<'_>, language: Language) -> String {
     let [fit, if_estimate] = sizing.counts();
-    let judged = terminal::judged(fit, &sizing.candidates.len(), language);
-    let judged = match sizing.fitting().iter().filter(|candidate| candidate.counts().are_all_open()).count() {
+    // One without a single check is neither evaluated nor fitting.
+    let open = sizing.fitting().iter().filter(|candidate| candidate.counts().are_all_open()).count();
+    let judged = terminal::judged(fit.saturating_sub(open), &(sizing.candidates.len() - open), language);
+    let judged = match open {
         0 => judged,
-        open => format!("{judged} ({})", terminal::without_any_check(open, language)),
+        open => format!("{judged}; {}", terminal::without_any_check(open, language)),
     };
     match if_estimate {
         0 => judged,

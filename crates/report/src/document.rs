@@ -37,6 +37,8 @@ pub(crate) struct ReportDocument {
 /// Data of the document itself.
 #[derive(Serialize)]
 struct Head {
+    /// Kind of the actuators that are judged.
+    subject: String,
     /// Name of the only axis; empty with several.
     axis: String,
     /// `true` if the actuator of every axis fits.
@@ -84,6 +86,7 @@ impl ReportDocument {
             }
         }
         let head = Head {
+            subject: checks::once(content.axes.iter().map(|axis| &axis.actuator_kind)).join("; "),
             axis: if content.axes.len() == 1 { first.dossier.judgement.axis.clone() } else { String::new() },
             fits: dossiers().all(|dossier| dossier.judgement.candidate.verdict.fits()),
             date_text: settings.date.map(|date| shown.date(date)).unwrap_or_default(),

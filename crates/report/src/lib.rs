@@ -79,6 +79,8 @@ pub struct Content {
 pub struct AxisContent {
     /// Answers about the axis.
     pub dossier: Dossier,
+    /// Kind of the chosen actuator, as text.
+    pub actuator_kind: String,
     /// Diagrams, in the order of the report.
     pub figures: Vec<Diagram>,
     /// Chapters for building and running the machine; empty unless requested.

@@ -12,7 +12,8 @@ use quantities::Language;
 use quantities::unit::MILLIMETRE;
 use questions::list::Unanswered;
 use questions::sweep::{
-    self, Answer, Best, CODE, Every, Judged, MeantHeading, OnFront, Options, TableColumns, TableFaults, Wanted,
+    self, Answer, BEST_COLUMNS, Best, CODE, Every, Judged, MeantHeading, OnFront, Options, STAGE_RATIO, TableColumns,
+    TableFaults, Wanted,
 };
 use questions::{CheckId, Progress, Refusal};
 use std::collections::BTreeSet;
@@ -309,9 +310,6 @@ const BYTES_HELD: usize = 24;
 /// Largest number of rows that are judged at once for a whole table.
 const ROWS_OF_PART: usize = 1 << 14;
 
-/// Column of the ratio of a stage that is chosen among several.
-const STAGE_RATIO: &str = "stage_ratio";
-
 /// Returns the columns of the answers: that of the ratio of a stage only if each row chooses one among several.
 fn answered(wanted: &Wanted, chooses_ratio: bool) -> SchemaRef {
     let field = |name: &str, of: DataType| Field::new(name, of, true);
@@ -322,7 +320,8 @@ fn answered(wanted: &Wanted, chooses_ratio: bool) -> SchemaRef {
     let verdict = field("verdict", DataType::Utf8);
     let mut fields: Vec<Field> = match wanted {
         Wanted::Best => {
-            let [fit, fit_if_estimate] = ["fit", "fit_if_estimate"].map(|name| field(name, DataType::UInt32));
+            let [_, fit, .., fit_if_estimate] = BEST_COLUMNS;
+            let [fit, fit_if_estimate] = [fit, fit_if_estimate].map(|name| field(name, DataType::UInt32));
             vec![row, fit, code, share("utilisation"), tightest, error, fit_if_estimate]
         }
         Wanted::Every(checks) => {

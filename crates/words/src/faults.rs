@@ -93,6 +93,11 @@ fn fault_worded<F: FaultWords>(found: &Diagnostic<F>, language: Language) -> Wor
 /// Returns the fault of a file in one sentence.
 pub(crate) fn file_fault_text(fault: &Fault, language: Language) -> String {
     match fault {
+        // Of a larger file one byte beyond the limit is read, so that its size is not known.
+        Fault::FileTooLarge { bytes, most } if *bytes == most + 1 => said!(language =>
+            "the file has more than {most} bytes, the limit"
+            | "die Datei hat mehr als {most} Byte, die Grenze"
+        ),
         Fault::FileTooLarge { bytes, most } => said!(language =>
             "the file has {bytes} bytes; the limit is {most}"
             | "die Datei hat {bytes} Byte; zulässig sind höchstens {most}"
@@ -130,11 +135,11 @@ pub(crate) fn file_fault_text(fault: &Fault, language: Language) -> String {
         ),
         Fault::AxisNamedTwice { name, first, line, is_alike: true } => said!(language =>
             "\"{name}\" is the name of `{first}` in line {line} as well"
-            | "\"{name}\" ist bereits der Name von `{first}` in Zeile {line}"
+            | "„{name}“ ist bereits der Name von `{first}` in Zeile {line}"
         ),
         Fault::AxisNamedTwice { name, first, line, is_alike: false } => said!(language =>
             "\"{name}\" differs from the name of `{first}` in line {line} in case or spaces only"
-            | "\"{name}\" unterscheidet sich vom Namen von `{first}` in Zeile {line} nur durch Groß- und Kleinschreibung oder Leerzeichen"
+            | "„{name}“ unterscheidet sich vom Namen von `{first}` in Zeile {line} nur durch Groß- und Kleinschreibung oder Leerzeichen"
         ),
         Fault::EmptyList { path } => said!(language =>
             "`{path}` is an empty list: omit the key if nothing is required"
@@ -310,7 +315,8 @@ pub(crate) fn file_fault_text(fault: &Fault, language: Language) -> String {
         ),
         Fault::Tabular(fault) => crate::sweeps::fault(fault, language),
         Fault::MotorSide { name, headings, .. } => {
-            let headings: Vec<String> = headings.iter().map(|heading| format!("\"{heading}\"")).collect();
+            let headings: Vec<String> =
+                headings.iter().map(|heading| crate::recording::quoted(heading, language)).collect();
             let headings = headings.join(", ");
             said!(language =>
                 "{name}: {headings}: recorded at the motor, the ratio to the output is not stated"

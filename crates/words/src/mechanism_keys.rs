@@ -45,8 +45,8 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
             "Vollkörper als Tabellen; oder bodies",
         ),
         MechanismName::Turntable(TurntableName::bodies) => (
-            "solid bodies as texts, one each as for antrieb inertia",
-            "Vollkörper als Texte, je einer wie bei antrieb inertia",
+            "solid bodies as texts, one each, with shape and dimensions",
+            "Vollkörper als Texte, je einer mit Form und Maßen",
         ),
         MechanismName::Turntable(TurntableName::axis_tilt) => (
             "tilt of the rotation axis from the vertical; default: vertical",

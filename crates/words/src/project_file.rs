@@ -13,6 +13,8 @@ pub fn table_of_project(name: &str, language: Language) -> Option<&'static str> 
     let (en, de) = match name {
         "" => ("General", "Allgemein"),
         "axis" => ("Axis", "Achse"),
+        "catalogue" => ("Catalogue", "Katalog"),
+        "twin" => ("Settings of the simulation", "Vorgaben für die Simulation"),
         "load" => ("Load", "Last"),
         "body" => ("Body", "Körper"),
         "stage" => ("Stage", "Zwischenstufe"),
@@ -26,6 +28,7 @@ pub fn table_of_project(name: &str, language: Language) -> Option<&'static str> 
         "drive" => ("Drive", "Servoregler"),
         "actuator" => ("Own actuator", "Eigener Antrieb"),
         "curve" => ("Curve", "Kennlinie"),
+        "recorded_ratio" => ("ratios of the recorded gear", "Übersetzungen des aufgezeichneten Getriebes"),
         "columns" => ("columns", "Spalten"),
         "units" => ("units", "Einheiten"),
         _ => return None,

@@ -489,10 +489,10 @@ pub fn encoding_guess(encoding: Option<Encoding>, language: Language) -> Option<
         Encoding::Utf16Guessed => "UTF-16",
         Encoding::Windows1252Guessed => "Windows-1252",
     };
-    Some(said!(language => "text read as {name} (assumed)" | "Text als {name} gelesen (Annahme)"))
+    Some(crate::terminal::text_read_as(&name, language))
 }
 
-pub(super) fn quoted(text: &str, language: Language) -> String {
+pub(crate) fn quoted(text: &str, language: Language) -> String {
     said!(language => "\"{text}\"" | "„{text}“")
 }
 

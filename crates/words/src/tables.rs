@@ -156,8 +156,8 @@ texts! {
         "{count}, too many for a sheet: antrieb export --table {name}"
         | "{count}, zu viele für ein Blatt: antrieb export --table {name}";
     about_antrieb =
-        "antrieb is an open engineering workbench for hollow-shaft servo actuators; it is not affiliated with their manufacturer."
-        | "antrieb ist ein offenes Auslegungswerkzeug für Hohlwellen-Servoantriebe; es steht in keiner Verbindung zu deren Hersteller.";
+        "antrieb is an open engineering workbench for servo actuators; it is not affiliated with any of their manufacturers."
+        | "antrieb ist ein offenes Auslegungswerkzeug für Servoantriebe; es steht in keiner Verbindung zu deren Herstellern.";
     project_file = "project file" | "Projektdatei";
     antrieb_version = "antrieb, version" | "antrieb, Version";
     rms_torque_computed_twice = "Rms torque, computed in two ways" | "Effektives Drehmoment, auf zwei Wegen gerechnet";

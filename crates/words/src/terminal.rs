@@ -108,6 +108,7 @@ texts! {
         | "{more} weitere geeignet; mit --top N oder --all anzeigen";
     demand_on(id) = "demand on {id}" | "geforderte Werte am Abtrieb, {id}";
     more_segments(more) = "{more} more; --json lists all" | "{more} weitere; --json nennt alle";
+    text_read_as(encoding) = "text read as {encoding} (assumed)" | "Text als {encoding} gelesen (Annahme)";
     comments_passed_over(count) =
         "lines skipped as comments: {count}" | "als Kommentar übergangene Zeilen: {count}";
     columns_not_used(names) = "not used: {names}" | "nicht verwendet: {names}";
@@ -344,10 +345,10 @@ texts! {
         "Not known for {code}: these data come from the manual of the CHA series; those of another product are in the documents of its manufacturer."
         | "Für {code} nicht bekannt: diese Angaben stammen aus der Anleitung der Reihe CHA; die eines anderen Produkts stehen in den Unterlagen seines Herstellers.";
     without_any_check(count) =
-        "1 of them not evaluated: data missing for every check"
-        | "1 davon nicht bewertet: für jeden Nachweis fehlen Angaben",
-        "{count} of them not evaluated: data missing for every check"
-        | "{count} davon nicht bewertet: für jeden Nachweis fehlen Angaben";
+        "1 not evaluated: data missing for every check"
+        | "1 nicht bewertet: für jeden Nachweis fehlen Angaben",
+        "{count} not evaluated: data missing for every check"
+        | "{count} nicht bewertet: für jeden Nachweis fehlen Angaben";
     more_on_condition(count, condition) =
         "{count} more fits {condition}"
         | "{count} weiterer, {condition}",

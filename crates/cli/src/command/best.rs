@@ -12,7 +12,7 @@ use std::path::Path;
 pub(super) fn best_of_project(words: &[&str], language: Language) -> Option<String> {
     let is_kind = |word: &str| kind_in_place_of_a_file(word).is_some();
     let path = words.iter().find(|word| has_ending(word, &[".toml"]) || is_kind(word))?;
-    best_codes(path, 1, language).into_iter().next()
+    best_products(path, 1, |id| questions::read_code(id, language).is_ok(), language).into_iter().next()
 }
 
 /// The best of the actuators that a part of a code allows.
@@ -46,13 +46,18 @@ fn of_sizing<T>(path: &str, language: Language, find: impl FnOnce(&questions::Si
     Some(find(&questions::size(project)))
 }
 
-/// Returns the codes of the best actuators of a project with one axis, at most `most`: of those that fit, else the one with the
-/// smallest excess.
-pub(super) fn best_codes(path: &str, most: usize, language: Language) -> Vec<String> {
+/// Returns the code of the best actuator of the first project among some words, or its name; `None` if there is no answer.
+pub(super) fn best_product_of_project(path: &str, language: Language) -> Option<String> {
+    best_products(path, 1, |_| true, language).into_iter().next()
+}
+
+/// Returns the codes and names of the best actuators of a project with one axis that a condition admits, at most `most`: of
+/// those that fit, else the one with the smallest excess.
+pub(super) fn best_products(path: &str, most: usize, admits: impl Fn(&str) -> bool, language: Language) -> Vec<String> {
     let found = of_sizing(path, language, |sizing| {
         let named = sizing.named().into_iter();
         let all = named.chain(sizing.fitting().iter()).map(|candidate| candidate.id.to_string());
-        let mut codes: Vec<String> = all.filter(|id| questions::read_code(id, language).is_ok()).collect();
+        let mut codes: Vec<String> = all.filter(|id| admits(id)).collect();
         let mut known: Vec<String> = Vec::new();
         codes.retain(|code| {
             !known.contains(code) && {

@@ -4,6 +4,7 @@ use super::kind::kind;
 use project::{PROJECT_MAX_BYTES, written};
 use quantities::Language;
 use questions::list::{OutputFile, media, new};
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 /// Extensions of recordings.
@@ -90,6 +91,20 @@ pub(crate) fn text_of_kind(word: &str, language: Language) -> Option<String> {
 pub(super) fn is_project(path: &Path) -> bool {
     let all = text_of(path).and_then(|text| written(&text)).unwrap_or_default();
     all.iter().any(|each| each.path == "motion[1]" || each.path == "axis[1].motion[1]")
+}
+
+/// Option of a catalogue file.
+const CATALOGUE: &str = "--catalogue";
+
+/// Returns the catalogue files that a call names.
+pub(super) fn catalogues(arguments: &[OsString]) -> Vec<PathBuf> {
+    let texts: Vec<&str> = arguments.iter().map(|word| word.to_str().unwrap_or_default()).collect();
+    let behind = texts.windows(2).filter_map(|pair| match pair {
+        [option, file] if *option == CATALOGUE => Some(*file),
+        _ => None,
+    });
+    let joined = texts.iter().filter_map(|text| text.strip_prefix(CATALOGUE)?.strip_prefix('='));
+    behind.chain(joined).map(PathBuf::from).collect()
 }
 
 /// Returns the extensions of the files of a media type.

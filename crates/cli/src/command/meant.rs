@@ -3,7 +3,7 @@
 mod ordered;
 
 use super::effects;
-use super::folder::{RECORDINGS, endings, has_ending, is_project, kind_in_place_of_a_file};
+use super::folder::{RECORDINGS, catalogues, endings, has_ending, is_project, kind_in_place_of_a_file};
 use super::own;
 use super::spoken::seems_code;
 use super::typed::is_negative;
@@ -11,6 +11,7 @@ use clap::{Arg, ArgAction, Command};
 use project::Hint;
 use quantities::Language;
 use questions::list::{Argument, ArgumentForm, ArgumentKind, Entry, LIST, Reads, recognises};
+use std::cell::OnceCell;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use words::UsageHint;
@@ -28,6 +29,10 @@ pub(crate) struct Called<'c> {
     language: Language,
     /// Project files that the call names.
     pub(super) projects: Vec<PathBuf>,
+    /// Catalogue files that the call names.
+    pub(super) catalogues: Vec<PathBuf>,
+    /// Names of the products of the call, read on first use.
+    pub(super) names: OnceCell<Vec<String>>,
     /// First words behind the command.
     pub(super) first: Vec<String>,
 }
@@ -118,7 +123,9 @@ impl<'c> Called<'c> {
         let projects = kind.into_iter().chain(files).collect();
         let words = arguments.iter().skip(begin).map_while(|word| word.to_str());
         let first = words.take_while(|word| !word.starts_with('-')).map(str::to_owned).collect();
-        Some(Self { name: format!("{} {names}", super::NAME), whole, command, entry, begin, language, projects, first })
+        let name = format!("{} {names}", super::NAME);
+        let (catalogues, names) = (catalogues(arguments), OnceCell::new());
+        Some(Self { name, whole, command, entry, begin, language, projects, catalogues, names, first })
     }
 
     /// Returns the parts of a call behind the command; `None` if it requests help or has an unknown option.
@@ -288,14 +295,11 @@ impl<'c> Called<'c> {
         // The angle of the shaft, not the range that is drawn.
         names.truncate(if names == ["--angle", "--window"] { 1 } else { names.len() });
         // A code with a slip has no option of its own; the question names the nearest codes.
-        if names.is_empty() && seems_code(word) {
-            let is_code = |option: &&Arg| {
-                let argument = option.get_long().and_then(|name| self.argument(name));
-                argument.is_some_and(|argument| matches!(argument.kind, ArgumentKind::Code))
-            };
-            let code = self.options().find(is_code).and_then(Arg::get_long);
-            let is_free = |name: &&str| !given.contains(name) || self.argument(name).is_some_and(|code| code.repeated);
-            names.extend(code.filter(is_free).map(|name| format!("--{name}")));
+        if names.is_empty()
+            && let Some(code) = self.code_option(given)
+            && (seems_code(word) || self.is_product(word))
+        {
+            names.push(code);
         }
         (names, twice)
     }
@@ -317,7 +321,9 @@ impl<'c> Called<'c> {
                 _ => None,
             }
         };
-        self.options().filter(|option| option.get_action().takes_values()).filter_map(near).collect()
+        let product = || Some((self.code_option(given)?, self.near_product(word)?));
+        let options = self.options().filter(|option| option.get_action().takes_values());
+        options.filter_map(near).chain(product()).collect()
     }
 
     /// Returns `true` if a position takes a word: it is of the kind of the position, or of no kind of an option.
@@ -509,6 +515,15 @@ impl<'c> Sorting<'c> {
                 self.placed.extend(unit.iter().map(|(place, _)| (*place, Vec::new())));
                 return rest;
             }
+        }
+        // A name without quotes: `NR 14/100`.
+        if let Some(option) = called.code_option(&self.given)
+            && let Some((name, count)) = called.product_of_words(word, behind)
+        {
+            let (more, rest) = behind.split_at(count);
+            self.place_option(place, &option, name);
+            self.placed.extend(more.iter().map(|(place, _)| (*place, Vec::new())));
+            return rest;
         }
         // An identifier may be several words: `emergency stop`.
         for count in (1..=behind.len().min(2)).rev() {

@@ -1,6 +1,6 @@
 //! Calls in place of one that was parsed and cannot be answered.
 
-use super::best::best_of_project;
+use super::best::best_product_of_project;
 use super::effects;
 use super::example::{filled, split};
 use super::folder::{RECORDINGS, axes_of, has_ending, project_name, projects_in};
@@ -452,7 +452,7 @@ impl Call<'_> {
     /// Returns the call with the best actuator of its project.
     fn with_own_best(&self, language: Language) -> Vec<String> {
         let project = self.called.projects.first().and_then(|path| path.to_str());
-        let code = project.and_then(|project| best_of_project(&[project], language));
+        let code = project.and_then(|project| best_product_of_project(project, language));
         code.map(|code| self.with(&["--code", &code])).unwrap_or_else(|| self.with_option_of_example("code"))
     }
 
@@ -461,7 +461,7 @@ impl Call<'_> {
         let more = || {
             let texts: Vec<&str> = self.arguments.iter().map(|word| word.to_str()).collect::<Option<_>>()?;
             let parts = self.called.parts(&texts)?;
-            let codes: Vec<String> = parts.iter().filter_map(|part| code_of(part, language)).collect();
+            let codes: Vec<String> = parts.iter().filter_map(|part| code_of(part, &self.called, language)).collect();
             more_codes(self.called.projects.first()?.to_str()?, &codes, language)
         };
         let more = more().unwrap_or_default();

@@ -1,6 +1,6 @@
 //! Words of a call in place of others: options by their own names, the best actuator in place of its project.
 
-use super::best::{best_codes, best_of_project};
+use super::best::{best_of_project, best_products};
 use super::completed;
 use super::folder::is_project;
 use super::kind::kind;
@@ -87,7 +87,8 @@ fn with_compared_codes(
         called.entry.filter(|entry| entry.command == "compare" && is_plain)?;
         let texts: Vec<&str> = arguments.iter().map(|word| word.to_str()).collect::<Option<_>>()?;
         let project = called.projects.first()?.to_str()?;
-        let codes: Vec<String> = called.parts(&texts)?.iter().filter_map(|part| code_of(part, language)).collect();
+        let codes: Vec<String> =
+            called.parts(&texts)?.iter().filter_map(|part| code_of(part, &called, language)).collect();
         more_codes(project, &codes, language)
     };
     let Some(more) = more() else { return (arguments, None) };
@@ -103,15 +104,15 @@ const COMPARED_LEAST: usize = 2;
 /// Returns the best codes of a project that a comparison of some codes lacks; `None` if it lacks none, or there are too few.
 pub(super) fn more_codes(project: &str, codes: &[String], language: Language) -> Option<Vec<String>> {
     let due = COMPARED_LEAST.checked_sub(codes.len()).filter(|due| *due > 0)?;
-    let best = best_codes(project, COMPARED_LEAST + codes.len(), language);
+    let best = best_products(project, COMPARED_LEAST + codes.len(), |_| true, language);
     let more: Vec<String> = best.into_iter().filter(|code| !codes.contains(code)).take(due).collect();
     (more.len() == due).then_some(more)
 }
 
 /// Returns the code that a part of a call states.
-pub(super) fn code_of(part: &Part<'_>, language: Language) -> Option<String> {
+pub(super) fn code_of(part: &Part<'_>, called: &Called<'_>, language: Language) -> Option<String> {
     let word = match part {
-        Part::Bare(_, word) if seems_code(word) => word,
+        Part::Bare(_, word) if seems_code(word) || called.is_product(word) => word,
         Part::Option(option, Some(value)) if option.get_long() == Some("code") => value,
         _ => return None,
     };
@@ -132,7 +133,9 @@ fn with_best_code(
             Part::Bare(place, word) => Some((*place, *word)),
             Part::Option(..) => None,
         });
-        let is_stated = bare.clone().any(|(_, word)| seems_code(word) || questions::read_code(word, language).is_ok());
+        let is_stated = bare.clone().any(|(_, word)| {
+            seems_code(word) || called.is_product(word) || questions::read_code(word, language).is_ok()
+        });
         let (place, project) = bare.find(|(_, word)| called.projects.iter().any(|path| path == Path::new(word)))?;
         let is_due =
             called.command.get_positionals().next().is_some_and(|position| called.is_code(position)) && !is_stated;

@@ -75,7 +75,7 @@ impl SweepParts {
             let inputs = found.mark.differences(found.parts.mark(), language);
             if others > 0 && !discards {
                 let message = sweeps::other_run(others, &path_text(&found.folder), &inputs, language);
-                return Err(Unanswered::option("force", (message, Some(sweeps::other_run_hint(language).to_owned()))));
+                return Err(Unanswered::option("out", (message, Some(sweeps::other_run_hint(language).to_owned()))));
             }
             found.discarded = (others > 0).then(|| sweeps::begun_anew(others, &inputs, language));
             if let Err(trouble) = found.parts.begin(&written) {

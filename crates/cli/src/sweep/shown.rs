@@ -45,7 +45,10 @@ fn table(summary: &SweepSummary, headings: &[&str], language: Language) -> Strin
     let of_checks = checks.iter().map(|check| (check_title(check.id.0, language), Align::Left));
     let mut table = TextTable::new(own.chain(of_answer).chain(ratio).chain(of_checks));
     for row in summary.answers.iter().take(ROWS_MOST) {
-        let own = headings.iter().map(|heading| row.labels.get(*heading).cloned().unwrap_or_default());
+        let own = headings.iter().map(|heading| {
+            let text = row.labels.get(*heading).map(String::as_str).unwrap_or_default();
+            in_own_marks(text, language)
+        });
         let ratio = row.stage_ratio.as_ref().map(|ratio| format_significant(ratio.0, 4, language));
         let ratio = has_ratio.then(|| ratio.unwrap_or_default());
         let checks = row.checks.iter().map(|check| checked(check, language));
@@ -56,6 +59,14 @@ fn table(summary: &SweepSummary, headings: &[&str], language: Language) -> Strin
         text.push_str(&format!("{}\n", sweeps::shown_rows(&ROWS_MOST, &summary.answers.len(), language)));
     }
     text
+}
+
+/// Returns a value of a row, a number with the decimal mark of the language.
+fn in_own_marks(text: &str, language: Language) -> String {
+    match text.parse::<f64>() {
+        Ok(_) => text.replace('.', language.decimal_mark().encode_utf8(&mut [0; 4])),
+        Err(_) => text.to_owned(),
+    }
 }
 
 /// Returns the verdict of a check with its utilisation; empty if there is none.

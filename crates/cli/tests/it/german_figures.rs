@@ -10,8 +10,7 @@ use run::{examples, run};
 const CODE: &str = "CHA-25A-50-H-C1024";
 
 /// Questions whose answer is a file or data, without figures for people.
-const FILES: [&str; 11] = [
-    "sweep",
+const FILES: [&str; 10] = [
     "report",
     "export",
     "schema",
@@ -47,6 +46,7 @@ fn calls() -> Vec<(&'static str, Vec<String>)> {
     for figure in ["torque_speed", "cycle", "utilisation", "torsion", "bearing_load", "candidate_map"] {
         call("plot", &["plot", "examples/tilting-arm.toml", "--code", CODE, "--figure", figure, "--svg", "-"]);
     }
+    call("sweep", &["sweep", "examples/tilting-arm.toml", "--vary", "mechanism.arm.mass=5.5,6.5kg"]);
     call("diff", &["diff", "examples/screw-axis.toml", "examples/slider-crank.toml"]);
     call("identify", &["identify", "examples/robot-joint.csv", "examples/tilting-arm.toml", "--code", CODE]);
     call("code parse", &["code", "parse", "CHA-20A-100-H-C1024-B-EC-K-SP"]);

@@ -15,6 +15,7 @@ mod hostile;
 mod inputs;
 mod loads;
 mod meanings;
+mod named;
 mod plainly;
 mod readers;
 mod refusals;

@@ -182,6 +182,13 @@ fn errata(
     found
 }
 
+/// Returns the kind of an actuator: one with a hollow shaft if its bore is known.
+#[must_use]
+pub fn actuator_kind(candidate: &Candidate<'_>, language: Language) -> &'static str {
+    let is_hollow = candidate.parameters.hollow_shaft.known().is_some_and(|bore| bore.value.si() > 0.0);
+    if is_hollow { terms::actuator_with_hollow_shaft(language) } else { records::servo_actuator(language) }
+}
+
 /// Returns the actuator and the screws of both joints, as far as the tables name them.
 fn bill_of_material(candidate: &Candidate<'_>, language: Language) -> Vec<Item> {
     let mut rows: Vec<Item> = Vec::new();
@@ -205,9 +212,7 @@ fn bill_of_material(candidate: &Candidate<'_>, language: Language) -> Vec<Item> 
             named.into_iter().flatten().map(AsRef::as_ref).collect::<Vec<_>>().join(", ")
         }
     };
-    let is_hollow = candidate.parameters.hollow_shaft.known().is_some_and(|bore| bore.value.si() > 0.0);
-    let series =
-        if is_hollow { terms::actuator_with_hollow_shaft(language) } else { records::servo_actuator(language) };
+    let series = actuator_kind(candidate, language);
     add(
         "1".into(),
         candidate.id.to_string(),

@@ -234,6 +234,35 @@ pub(super) fn mechanism(project: &AxisProject, inputs: &[Input], language: Langu
 #[cfg(test)]
 mod tests {
     use super::*;
+    use project::{KEYS, Key};
+
+    /// Adds the paths of the tables below some keys.
+    fn tables_below(keys: &[Key], prefix: &str, found: &mut Vec<String>) {
+        for key in keys {
+            let path = if prefix.is_empty() { key.name.to_owned() } else { format!("{prefix}.{}", key.name) };
+            let below = [key.kind.keys(false), key.kind.keys(true)];
+            if below.iter().any(|below| !below.is_empty()) {
+                found.push(path.clone());
+                below.iter().for_each(|below| tables_below(below, &path, found));
+            }
+        }
+    }
+
+    /// A table has a title in words, not the name of its key.
+    #[test]
+    fn every_table_of_a_project_has_a_title_in_words() {
+        let mut found = Vec::new();
+        tables_below(KEYS, "", &mut found);
+        assert!(found.len() > 20, "{found:?}");
+        for path in found.iter().filter(|path| *path != "mechanism") {
+            let titles = [Language::En, Language::De].map(|language| table_title(path, language));
+            let name = path.rsplit('.').next().unwrap_or_default();
+            assert!(
+                !titles[1].ends_with(name) && titles[0] != titles[1] && !titles[0].contains('_'),
+                "{path}: {titles:?}"
+            );
+        }
+    }
 
     #[test]
     fn inputs_are_reported_in_the_words_of_the_language() {

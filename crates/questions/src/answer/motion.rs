@@ -77,6 +77,7 @@ fn recording(read: &RecordingRead) -> Recording {
         first_time: Number::in_unit(recording.first_time.si(), &SECOND),
         left_out_before: recording.left_out_before,
         left_out_after: recording.left_out_after,
+        comments: recording.comments,
         columns: columns.collect(),
         unused: recording.unused.clone(),
     }

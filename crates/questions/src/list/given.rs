@@ -2,7 +2,7 @@
 
 use super::argument::{Argument, ArgumentKind, FILE, LANG, TRUE, nearest_words};
 use super::unanswered::Unanswered;
-use crate::codes::{read_code, read_pattern, read_pattern_begun};
+use crate::codes::{read_code, read_pattern, read_pattern_begun, read_product};
 use crate::upkeep::read_date;
 use answers::Fault;
 use chrono::NaiveDate;
@@ -239,10 +239,8 @@ pub(super) fn products(given: &Given, argument: &Argument) -> Result<Vec<Product
 }
 
 fn product_of(text: &str, among: bool, given: &Given) -> Result<ProductId, Unanswered> {
-    match code_of(text, among, given.language) {
-        Err(_) if given.has_names => Ok(ProductId::named(text)),
-        found => found.map(ProductId::from),
-    }
+    let refused = |refusal| Unanswered::Code { text: text.to_owned(), refusal, among };
+    read_product(text, |_| given.has_names, given.language).map_err(refused)
 }
 
 fn code_of(text: &str, among: bool, language: Language) -> Result<OrderCode, Unanswered> {

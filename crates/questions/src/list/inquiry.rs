@@ -30,11 +30,21 @@ pub struct ReferencedText<'a> {
 }
 
 impl ReferencedText<'_> {
-    /// Returns `true` if the text may name catalogue files, so that a product may have a name.
+    /// Returns `true` if the text may name catalogue files or describe an actuator, so that a product may have a name.
     #[must_use]
     pub fn may_name_products(&self) -> bool {
-        const TABLE: &[u8] = b"catalogue";
-        self.bytes.windows(TABLE.len()).any(|part| part == TABLE)
+        const TABLES: [&[u8]; 2] = [b"catalogue", b"actuator"];
+        TABLES.iter().any(|table| self.bytes.windows(table.len()).any(|part| part == *table))
+    }
+
+    /// Returns the names of the products that the text may mean beside the ordering codes.
+    #[must_use]
+    pub fn product_names(&self, catalogue: &Arc<dyn Catalogue>) -> Vec<String> {
+        if !self.may_name_products() {
+            return catalogue.names();
+        }
+        let (text, _) = project::decoded(&self.bytes);
+        axis::product_names(&text, self.files, catalogue)
     }
 
     fn within_size(&self, language: Language) -> Result<(), Unanswered> {

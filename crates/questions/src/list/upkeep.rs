@@ -112,3 +112,33 @@ fn before(day: Date, inquiry: &Inquiry<'_>) -> Option<Date> {
     let tomorrow = day_of_clock(days.checked_add(1)?)?;
     if day > tomorrow { day_of_clock(days) } else { None }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The project states storage and operation: parts of a day count as a day, the operation only for a battery.
+    #[test]
+    fn storage_and_operation_are_those_of_the_project() {
+        let of = |requirements: &str, code: &OrderCode| {
+            let text = format!(
+                "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n\
+                 [[motion]]\nlaw = \"triangle\"\ndistance = \"360 deg\"\ntime = \"1 s\"\n[requirements]\n{requirements}\n"
+            );
+            let project = crate::read(&text).unwrap_or_else(|faults| panic!("{faults:?}"));
+            of_the_project(&project, code, Date::MIN)
+        };
+        let codes = configurator::all().iter().map(|(code, _)| code);
+        let (with, without): (Vec<&OrderCode>, Vec<&OrderCode>) =
+            codes.partition(|code| installation::upkeep::has_battery(code));
+        let stated = "storage = \"36 h\"\noperation_per_day = \"8 h\"";
+        for (code, has_battery) in [(with[0], true), (without[0], false)] {
+            let found = of(stated, code);
+            assert_eq!(found.storage, Some(Storage::For(Interval::Days(2))), "{code}");
+            let hours = found.hours_per_day.map(|time| time.si() / 3600.0);
+            assert_eq!(hours, has_battery.then_some(8.0), "{code}");
+            let bare = of("brake = true", code);
+            assert_eq!((bare.storage, bare.hours_per_day.is_some()), (None, false), "{code}");
+        }
+    }
+}

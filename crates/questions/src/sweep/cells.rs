@@ -2,8 +2,9 @@
 #![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 use super::{Column, Holds, Options, Value};
-use crate::codes::read_code;
-use project::{Fault, Heading, Hint, Kind, TabularFault};
+use crate::codes::{CodeRefusal, read_product};
+use configurator::ProductId;
+use project::{Fault, Heading, Hint, Kind, TabularFault, nearest_name};
 use quantities::{Language, Unit, seen};
 use recording::{Commas, RowKind, Thousands, may_be_grouped};
 use std::borrow::Cow;
@@ -221,7 +222,7 @@ impl Column {
 
     pub(super) fn key(&self) -> &str {
         match &self.holds {
-            Holds::Code => super::CODE,
+            Holds::Code(_) => super::CODE,
             Holds::Key(heading) => &heading.path,
         }
     }
@@ -234,7 +235,7 @@ impl Column {
     /// Returns `true` if the cells are numbers.
     pub(super) fn is_number(&self) -> bool {
         match &self.holds {
-            Holds::Code => false,
+            Holds::Code(_) => false,
             Holds::Key(heading) => heading.is_number() || matches!(heading.key.kind, Kind::Integer(..)),
         }
     }
@@ -266,7 +267,7 @@ impl Column {
                 match &self.holds {
                     Holds::Key(heading) if self.is_number() => Self::number(heading, text, commas),
                     Holds::Key(heading) => Ok(Value::Text(heading.word(text))),
-                    Holds::Code => Ok(Value::Text(text)),
+                    Holds::Code(_) => Ok(Value::Text(text)),
                 }
             }
             Cells::Other(found, _) => {
@@ -295,6 +296,15 @@ impl Column {
         number.ok_or(Fault::Tabular(TabularFault::NotANumber { path, written }))
     }
 
+    /// Returns the product that a cell of the column of codes names.
+    pub(super) fn product(&self, text: &str, language: Language) -> Result<ProductId, CodeRefusal> {
+        let is_name = |name: &str| match &self.holds {
+            Holds::Code(names) => names.as_ref().is_none_or(|names| names.iter().any(|each| each == name)),
+            Holds::Key(_) => false,
+        };
+        read_product(text, is_name, language)
+    }
+
     /// Returns the fault of an unknown word or code.
     fn wrong_word(&self, text: &str, row: u64, language: Language) -> Option<CellFault> {
         match &self.holds {
@@ -302,11 +312,21 @@ impl Column {
                 let objection = heading.objection(text)?;
                 Some(CellFault::of(&self.written, Some(row), &objection, language))
             }
-            Holds::Code => {
-                let refusal = read_code(text, language).err()?;
+            Holds::Code(names) => {
+                let refusal = self.product(text, language).err()?;
                 let near = refusal.nearest.first().map(|(code, _)| words::terminal::near(code, language));
                 let fault = refusal.faults.into_iter().next()?;
                 let shown: String = text.chars().take(60).collect();
+                let names: Vec<&str> = names.iter().flatten().map(String::as_str).collect();
+                if let Hint::DidYouMean(name) = nearest_name(text, &names) {
+                    return Some(CellFault {
+                        heading: seen(&self.written).into_owned(),
+                        row: Some(row),
+                        id: fault.id(),
+                        message: words::terminal::no_product(&seen(&shown), language),
+                        hint: Some(words::terminal::near(&name, language)),
+                    });
+                }
                 Some(CellFault {
                     heading: seen(&self.written).into_owned(),
                     row: Some(row),

@@ -27,6 +27,8 @@ pub struct Head {
     recordings: BTreeSet<String>,
     /// Largest number of codes that a row is judged for.
     codes: usize,
+    /// Names of products that a row may state in place of a code; `None` if the project is refused.
+    names: Option<Vec<String>>,
     /// `true` if each row chooses among several ratios of a stage.
     chooses_ratio: bool,
     /// `true` if a heading is refused.
@@ -71,6 +73,11 @@ impl Head {
         let codes = projects.iter().flatten().map(|project| products_of(project).len());
         let codes = codes.max().unwrap_or(0);
         let chooses_ratio = projects.iter().flatten().any(|project| !project.ratios.is_empty());
+        let of = |project: &AxisProject| {
+            let own = project.actuator.iter().map(|own| own.id.to_string());
+            project.catalogue().names().into_iter().chain(own).collect::<Vec<String>>()
+        };
+        let names = projects.as_ref().ok().map(|projects| projects.iter().flat_map(of).collect());
         let (axis, refused) = match projects {
             Ok(projects) => of_projects(projects, &options),
             Err(why) => (of_text(known.as_deref().unwrap_or_default(), options.axis.as_deref()), Some(why)),
@@ -84,6 +91,7 @@ impl Head {
             decimals: Decimals::of(&options),
             recordings,
             codes,
+            names,
             chooses_ratio,
             is_misread: false,
             options,
@@ -120,7 +128,7 @@ impl Head {
             return Err((Fault::Tabular(TabularFault::NoHeading { number }), None));
         }
         let holds = if heading.trim() == CODE {
-            Holds::Code
+            Holds::Code(self.names.clone())
         } else {
             // Any axis of several serves for the kind of a key.
             let place = self.axis.is_of_several.then(|| self.axis.place.unwrap_or(0));

@@ -173,7 +173,8 @@ impl<'r> RowAxis<'r> {
     /// # Errors
     /// If there are no data for it.
     pub(super) fn of_product(&self, id: &ProductId, wanted: &Wanted, language: Language) -> Result<Judged, String> {
-        let found = self.project.catalogue().product(id);
+        let own = self.project.actuator.as_ref().filter(|own| own.id == *id);
+        let found = own.or_else(|| self.project.catalogue().product(id));
         let product =
             found.ok_or_else(|| refusal_text(&not_offered(&**self.project.catalogue(), id), None, language))?;
         let is_barred = id.availability().is_err();

@@ -10,6 +10,12 @@ use words::sweeps;
 /// Name of a first column without a heading, as spreadsheets and data frames write the numbers of their rows.
 const INDEX: &str = "index";
 
+/// Columns of the answer to the best product of each row, in their order.
+pub const BEST_COLUMNS: [&str; 7] = ["row", "fit", CODE, "utilisation", "tightest", "error", "fit_if_estimate"];
+
+/// Column of the ratio of a stage that is chosen among several, in an answer.
+pub const STAGE_RATIO: &str = "stage_ratio";
+
 /// Columns of a table by their places.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TableColumns {
@@ -21,12 +27,17 @@ pub struct TableColumns {
 
 impl TableColumns {
     /// Separates the columns of a table by their headings. A table without any key has no columns to carry: its headings are
-    /// read as keys.
+    /// read as keys. Of an earlier answer, which has its columns in their order, only the inputs are read again.
     #[must_use]
     pub fn of(headings: &[&str]) -> Self {
         let mut found = Self::default();
+        let is_answer = headings.len() > BEST_COLUMNS.len()
+            && headings.iter().zip(BEST_COLUMNS).all(|(heading, own)| heading.trim() == own);
         for (place, heading) in headings.iter().enumerate() {
             let name = heading.trim();
+            if is_answer && (place < BEST_COLUMNS.len() || name == STAGE_RATIO) {
+                continue;
+            }
             if name.is_empty() && place == 0 {
                 found.carried.push((place, INDEX.to_owned()));
             } else if name != CODE && is_label(name) {
@@ -139,5 +150,21 @@ mod tests {
         let found = TableColumns::of(&["load.inertia [kg m^2]", "row", "id", "id "]);
         let faults: Vec<String> = found.faults(&["row", "fit"], Language::En).map(|fault| fault.heading).collect();
         assert_eq!(faults, ["row", "id"]);
+    }
+
+    /// An answer with its inputs is a table of these inputs; one without any has no key, and its columns are refused.
+    #[test]
+    fn of_an_answer_the_inputs_are_read_again() {
+        let with =
+            |more: &[&'static str]| -> Vec<&'static str> { BEST_COLUMNS.into_iter().chain(more.to_vec()).collect() };
+        let found = TableColumns::of(&with(&["load.inertia [kg m^2]", "station", STAGE_RATIO]));
+        assert_eq!((found.keys, found.carried), (vec![7], vec![(8, "station".to_owned())]));
+        let bare = TableColumns::of(&with(&[]));
+        assert_eq!(bare.keys.len() + bare.carried.len(), BEST_COLUMNS.len());
+        assert!(!bare.keys.is_empty() && bare.faults(&BEST_COLUMNS, Language::En).count() > 0, "{bare:?}");
+        // In another order the columns are those of the user.
+        let mut others = with(&["load.inertia [kg m^2]"]);
+        others.swap(0, 1);
+        assert_eq!(TableColumns::of(&others).carried.len(), BEST_COLUMNS.len() - 1);
     }
 }

@@ -83,7 +83,7 @@ impl Sweep {
     fn numbers(&self) -> impl Iterator<Item = &Heading> {
         self.columns.iter().filter_map(|column| match &column.holds {
             Holds::Key(heading) if heading.is_number() => Some(heading),
-            Holds::Key(_) | Holds::Code => None,
+            Holds::Key(_) | Holds::Code(_) => None,
         })
     }
 }

@@ -4,7 +4,7 @@ use super::checks::{Titles, is_of_another_gear};
 use super::shown::{Formatter, tied};
 use answers::{CheckId, Dossier, Fit, Rejection};
 use serde::Serialize;
-use words::terminal::speed_beyond_the_curve;
+use words::terminal::{speed_beyond_the_curve, without_any_check};
 use words::{capitalised, erratum_place_of, marked};
 
 /// Number of fitting actuators, and of those with the smallest excess, in the short form.
@@ -16,6 +16,8 @@ const MANY: usize = 12;
 pub(super) struct Alternatives {
     judged: usize,
     fit: usize,
+    /// Sentence on the actuators without a single check, which are neither evaluated nor fitting; empty without any.
+    not_evaluated: String,
     fit_if_estimate: usize,
     rejected: usize,
     rule: String,
@@ -115,9 +117,14 @@ impl Alternatives {
             each.objections.is_empty() && each.utilisation.is_some() && !of_the_place
         };
         let near = sizing.rejected.iter().filter(is_near);
+        let is_open = |candidate: &answers::Candidate| {
+            candidate.verdict == Fit::Fits && candidate.tightest.is_none() && candidate.open_questions > 0
+        };
+        let open = sizing.ranking.iter().filter(|each| is_open(&each.of.candidate)).count();
         Self {
-            judged: sizing.judged,
-            fit: sizing.fit,
+            judged: sizing.judged - open,
+            fit: sizing.fit - open,
+            not_evaluated: if open == 0 { String::new() } else { without_any_check(open, shown.0) },
             fit_if_estimate: sizing.fit_if_estimate,
             rejected: sizing.rejected.len(),
             rule: capitalised(&sizing.rule),

@@ -2,9 +2,11 @@
 
 use super::ends::Ends;
 use super::shown::Formatter;
-use answers::{DemandFigures, DemandMode, Dossier, Motion, MoveTorques, Number, Segment, UnitBy};
+use answers::{DemandFigures, DemandMode, Dossier, Motion, MoveTorques, Number, Segment, TextEncoding, UnitBy};
+use quantities::Language;
 use serde::Serialize;
 use std::f64::consts::TAU;
+use words::terminal;
 
 #[derive(Serialize)]
 pub(super) struct MotionTable {
@@ -33,6 +35,22 @@ struct Recorded {
     file: String,
     samples: String,
     columns: String,
+    /// Assumption about the text, and rows that are not used.
+    remarks: Vec<String>,
+}
+
+/// Returns the assumed encoding of a recording, and the numbers of its lines that are no samples.
+fn remarks(read: &answers::Recording, language: Language) -> Vec<String> {
+    let encoding = match read.encoding {
+        Some(TextEncoding::Utf16Guessed) => Some("UTF-16"),
+        Some(TextEncoding::Windows1252Guessed) => Some("Windows-1252"),
+        Some(TextEncoding::Utf8 | TextEncoding::Utf16) | None => None,
+    };
+    let left = read.left_out_before + read.left_out_after;
+    let of_window = (left > 0).then(|| terminal::outside_the_window(&left, language));
+    let comments = (read.comments > 0).then(|| terminal::comments_passed_over(&read.comments, language));
+    let encoding = encoding.map(|name| terminal::text_read_as(&name, language));
+    of_window.into_iter().chain(comments).chain(encoding).collect()
 }
 
 impl MotionTable {
@@ -67,6 +85,7 @@ impl MotionTable {
                 file: each.file.clone(),
                 samples: each.samples.to_string(),
                 columns: columns.collect::<Vec<_>>().join(", "),
+                remarks: remarks(each, shown.0),
             }
         });
         let unit = |of| motion.units.unit(of).map(|unit| shown.unit(unit)).unwrap_or_default();

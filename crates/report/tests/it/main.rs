@@ -3,6 +3,7 @@
 mod another_series;
 mod checklist;
 mod laden;
+mod named;
 mod pages;
 mod readers;
 mod report;

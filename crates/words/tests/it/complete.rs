@@ -419,6 +419,7 @@ fn other_faults() -> Vec<Fault> {
     }));
     all.extend([
         Fault::FileTooLarge { bytes: 2, most: 1 },
+        Fault::FileTooLarge { bytes: 3, most: 1 },
         Fault::FileOutOfReach { name: word() },
         trouble(Some(Unopened::NoRegularFile), None),
         trouble(Some(Unopened::NoRecordingName), None),

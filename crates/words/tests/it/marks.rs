@@ -54,6 +54,23 @@ fn without_quotations(text: &str) -> String {
     left
 }
 
+/// Returns `true` if a text in German has straight quotes elsewhere than around a value of a file, behind its key or as an
+/// example.
+pub(crate) fn has_foreign_quotes(text: &str) -> bool {
+    let is_value = |before: &str| {
+        let ends = ["=", "= ", "[", "Beispiel ", "etwa ", "wie "];
+        ends.iter().any(|end| before.ends_with(end)) || before.contains("= \"") || before.contains("[\"")
+    };
+    // A hint that states the value alone: "1 s" schreiben.
+    let text = text.strip_prefix('"').and_then(|text| text.split_once("\" schreiben")).map_or(text, |(_, rest)| rest);
+    let code: Vec<&str> = text.split('`').step_by(2).collect();
+    let opens = |part: &str| -> bool {
+        let places: Vec<usize> = part.match_indices('"').map(|(place, _)| place).collect();
+        places.iter().step_by(2).any(|place| !is_value(part.get(..*place).unwrap_or_default()))
+    };
+    code.iter().any(|part| opens(part))
+}
+
 /// Figures of a text have the decimal mark of the language, and no other.
 pub(crate) fn has_own_marks(what: &str, text: &str, language: Language) {
     let other = if language == Language::De { '.' } else { ',' };
@@ -64,7 +81,7 @@ pub(crate) fn has_own_marks(what: &str, text: &str, language: Language) {
     let units = ["1/min", "kg m^2", "kg m²", " N m", "rpm"];
     let plain: String = plain.into_iter().collect();
     let has_unit_of_files = language == Language::De && units.iter().any(|unit| plain.contains(unit));
-    if wrong || has_unit_of_files {
+    if wrong || has_unit_of_files || language == Language::De && has_foreign_quotes(text) {
         WRONG.with_borrow_mut(|all| all.push(format!("{what}: {text}")));
     }
 }

@@ -1,6 +1,7 @@
 //! Texts by name: whole, in both languages, with the same put in, in the words of the glossary and the signs of the language.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
+use crate::marks::has_foreign_quotes;
 use quantities::Language;
 use words::{MODULES, Text};
 
@@ -155,4 +156,36 @@ fn a_german_number_has_a_comma() {
             }
         }
     }
+}
+
+/// Texts in German have German quotation marks, except around values of a file and of a call.
+#[test]
+fn german_texts_have_german_quotation_marks() {
+    // The help states values as they are typed.
+    let texts = texts().filter(|(name, _)| !name.starts_with("help::"));
+    let german = texts.flat_map(|(name, text)| forms(text).into_iter().map(move |form| (name.clone(), form)));
+    let wrong: Vec<(String, &str)> = german
+        .filter(|(_, (language, form))| *language == Language::De && has_foreign_quotes(form))
+        .map(|(name, (_, form))| (name, form))
+        .collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    for (text, is_wrong) in [("\"{name}\" ist", true), ("speed = \"1 m/s\" oder \"2\"", false), ("etwa \"3 s\"", false)]
+    {
+        assert_eq!(has_foreign_quotes(text), is_wrong, "{text}");
+    }
+}
+
+/// A datum of the place of installation lacks a statement about the actuator: the project has stated its own value.
+#[test]
+fn a_missing_range_of_the_place_is_one_of_the_actuator() {
+    for symbol in
+        ["ambient_temperature_operation", "altitude", "mounting_position", "protection_class", "relative_humidity"]
+    {
+        for (language, of_actuator) in [(Language::En, "for the actuator"), (Language::De, "für den Antrieb")] {
+            let text = words::check_missing(symbol, language);
+            assert!(text.contains(of_actuator) && !(symbol.contains('_') && text.contains(symbol)), "{text}");
+        }
+    }
+    // The keys by which the range is stated.
+    assert!(words::check_missing("ambient_temperature_operation", Language::En).contains("ambient_min, ambient_max"));
 }

@@ -77,7 +77,7 @@ pub fn made_in(text: &str, code: Option<&str>, languages: &[Language], pictures:
     for (place, project) in projects.iter().enumerate() {
         let ranked = questions::size(project);
         let code = code.map_or_else(|| ranked.candidates[0].id.to_string(), str::to_owned);
-        let code = questions::read_code(&code, Language::En).unwrap().parsed.code;
+        let code = questions::read_product(&code, |_| true, Language::En).unwrap();
         let chosen = questions::check(project, &code).unwrap();
         let reserve = questions::reserve_of(project, &chosen);
         let assessed = questions::assess(project, &[&chosen], Sampling::default());
@@ -93,7 +93,8 @@ pub fn made_in(text: &str, code: Option<&str>, languages: &[Language], pictures:
                 ((text, place, "antrieb 0.1.0"), (&reserve, assessed.first(), &gearing_proposals[..]));
             let dossier = questions::answer::dossier(project, &ranked, &chosen, program, text, language);
             let figures = if pictures { figures_of(project, &ranked, &chosen, language) } else { Vec::new() };
-            content.axes.push(AxisContent { dossier, figures, chapters: Vec::new() });
+            let actuator_kind = questions::answer::actuator_kind(&chosen, language).to_owned();
+            content.axes.push(AxisContent { dossier, actuator_kind, figures, chapters: Vec::new() });
         }
     }
     contents

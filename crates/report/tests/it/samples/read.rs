@@ -19,7 +19,7 @@ pub fn is_readable(name: &str, content: &Content, settings: &Settings) {
 pub fn are_readable(name: &str, content: &Content, letters: &[report::Letter]) {
     let language = content.language;
     let of_a_diagram = |text: &str| text.contains("fill=");
-    assert!(letters.len() > 1000 && letters.iter().any(|letter| of_a_diagram(&letter.text)), "{name}");
+    assert!(letters.len() > 500 && letters.iter().any(|letter| of_a_diagram(&letter.text)), "{name}");
     let mut faults = Vec::new();
     for letter in letters {
         if letter.size_pt < LEAST - 0.01 {
@@ -36,6 +36,7 @@ pub fn are_readable(name: &str, content: &Content, letters: &[report::Letter]) {
         // What a user types is of no use on paper.
         faults.extend(text.match_indices(" (--").map(|(at, _)| text[at..].chars().take(30).collect::<String>()));
         if language == Language::De {
+            faults.extend(text.match_indices('"').map(|(at, _)| text[at..].chars().take(30).collect::<String>()));
             // A document keeps its title, which a line may break; the words of titles are left out.
             let documents = content.axes.iter().flat_map(|axis| &axis.dossier.documents);
             let titles: String = documents.map(|found| format!(" {} ", found.title)).collect();
