@@ -29,6 +29,7 @@ pub fn table_of_project(name: &str, language: Language) -> Option<&'static str> 
         "actuator" => ("Own actuator", "Eigener Antrieb"),
         "curve" => ("Curve", "Kennlinie"),
         "recorded_ratio" => ("ratios of the recorded gear", "Übersetzungen des aufgezeichneten Getriebes"),
+        "measured" => ("measured values", "Messwerte"),
         "columns" => ("columns", "Spalten"),
         "units" => ("units", "Einheiten"),
         _ => return None,

@@ -26,6 +26,12 @@ pub fn are_readable(name: &str, content: &Content, letters: &[report::Letter]) {
             faults.push(format!("page {}: {:.2} pt: {}", letter.page, letter.size_pt, letter.text));
         }
     }
+    if language == Language::De {
+        // Of a diagram the parts of its source are no text.
+        let is_text = |text: &str| !text.contains(['<', '>', '=']);
+        let quoted = letters.iter().filter(|letter| letter.text.contains('"') && is_text(&letter.text));
+        faults.extend(quoted.map(|letter| format!("page {}: {}", letter.page, letter.text)));
+    }
     let text = letters.iter().map(|letter| letter.text.as_str()).filter(|text| !of_a_diagram(text));
     let mut texts = vec![text.collect::<Vec<_>>().join(" ")];
     for figure in content.axes.iter().flat_map(|axis| &axis.figures) {
@@ -36,7 +42,6 @@ pub fn are_readable(name: &str, content: &Content, letters: &[report::Letter]) {
         // What a user types is of no use on paper.
         faults.extend(text.match_indices(" (--").map(|(at, _)| text[at..].chars().take(30).collect::<String>()));
         if language == Language::De {
-            faults.extend(text.match_indices('"').map(|(at, _)| text[at..].chars().take(30).collect::<String>()));
             // A document keeps its title, which a line may break; the words of titles are left out.
             let documents = content.axes.iter().flat_map(|axis| &axis.dossier.documents);
             let titles: String = documents.map(|found| format!(" {} ", found.title)).collect();
