@@ -605,6 +605,8 @@ class Recording(Record):
     """Number of samples left out before the window."""
     left_out_after: int
     """Number of samples left out after the window."""
+    comments: int
+    """Number of lines skipped as comments: they begin with `#` and are no rows."""
     columns: Rows[RecordedColumn]
     """Columns read."""
     unused: list[str]

@@ -193,7 +193,7 @@ class Turntable(Mechanism):
     ) -> None:
         """Args:
             body: Solid bodies as tables; or bodies.
-            bodies: Solid bodies as texts, one each as for antrieb inertia.
+            bodies: Solid bodies as texts, one each, with shape and dimensions.
             axis_tilt: Tilt of the rotation axis from the vertical; default: vertical, listed as assumed. Angle such as `"90 deg"`.
             start_angle: Position at the beginning of the motion; default: zero. Angle such as `"90 deg"`.
             angle: Another name of `start_angle`.
