@@ -33,8 +33,10 @@ impl ReferencedText<'_> {
     /// Returns `true` if the text may name catalogue files or describe an actuator, so that a product may have a name.
     #[must_use]
     pub fn may_name_products(&self) -> bool {
-        const TABLES: [&[u8]; 2] = [b"catalogue", b"actuator"];
-        TABLES.iter().any(|table| self.bytes.windows(table.len()).any(|part| part == *table))
+        const TABLE: &[u8] = b"catalogue";
+        let opens_own = |line: &[u8]| [&b"[actuator]"[..], b"[axis.actuator]"].contains(&line.trim_ascii());
+        self.bytes.windows(TABLE.len()).any(|part| part == TABLE)
+            || self.bytes.split(|byte| *byte == b'\n').any(opens_own)
     }
 
     /// Returns the names of the products that the text may mean beside the ordering codes.
