@@ -150,7 +150,7 @@ fn a_project_begins_with_a_recording() {
         let sized = run(&["size", &out, "--top", "1"]);
         assert!(sized.code < 2, "{heading}\n{}\n{text}", sized.err);
     }
-    // What the segment or a change of values puts right is told, and the project is written.
+    // What the segment or a change of values puts right is stated, and the project is written.
     for (heading, part) in [
         ("t [s];A1 Istposition [deg];A2 Istposition [deg];spare", "A1 Istposition"),
         ("t [s];note;Motordrehzahl [1/min];spare", "Motordrehzahl"),
