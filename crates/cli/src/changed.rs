@@ -3,6 +3,7 @@
 mod factor;
 pub(crate) mod keys;
 mod load;
+pub(crate) mod mass;
 pub(crate) mod motion;
 mod relative;
 mod value;
@@ -68,8 +69,9 @@ pub(crate) fn changed(text: &str, matches: &ArgMatches, language: Language) -> R
     for (option, change) in steps {
         let change = &*unquoted(change);
         let made = match option {
-            "set" => stations(&changed.text, change, &prefix)
-                .map(Ok)
+            "set" => mass_without_radius(&changed.text, change, &prefix, language)
+                .map(Err)
+                .or_else(|| stations(&changed.text, change, &prefix).map(Ok))
                 .or_else(|| motion::set(&changed.text, change, &prefix, &further, language))
                 .unwrap_or_else(|| set(&changed.text, change, &prefix, language)),
             _ => scale(&changed.text, change, &prefix, language),
@@ -234,6 +236,12 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
     let value = relative.as_deref().unwrap_or(value);
     let done = edit(text, &path, Edit::Value(value)).map_err(|fault| (fault.to_string(), None))?;
     Ok((done, format!("{path} {before} → {}", if value.is_empty() { "–" } else { value })))
+}
+
+/// Returns the refusal of a mass that the axis does not take.
+fn mass_without_radius(text: &str, change: &str, prefix: &str, language: Language) -> Option<Fault> {
+    let (word, value) = change.split_once('=')?;
+    mass::without_radius(&written(text)?, prefix, (word.trim(), value.trim()), language)
 }
 
 /// Turns a table on by one station in each of its moves; `None` if the change is no number of stations, or nothing turns.

@@ -1,9 +1,10 @@
 //! Headings of a table by the words that people have for keys, in a project that states these keys.
 
 use crate::edit::{Written, key_at};
-use crate::heading::{Counted, Heading, may_be_a_column, parts};
+use crate::heading::{Counted, Heading, Objection, may_be_a_column, parts};
 use crate::load::loads;
 use crate::nearest::other_names;
+use crate::{Fault, Hint, TabularFault};
 use quantities::parse;
 
 /// Keys of a move whose value may be the same in every move.
@@ -85,24 +86,28 @@ pub fn headings_meant(all: &[Written], prefix: &str, heading: &str) -> Vec<Headi
     }
 }
 
-/// Returns the headings of the times of the dwells that fill a cycle, for a heading that names the cycle of an axis whose dwells
-/// state times; empty for another heading.
+/// Returns the fault of a heading that names the cycle of an axis of which no dwell states it, and the headings of the stated
+/// times of dwells and pauses, which fill a cycle; `None` for another heading.
 #[must_use]
-pub fn times_for_cycle(all: &[Written], prefix: &str, heading: &str) -> Vec<String> {
+pub fn without_cycle(all: &[Written], prefix: &str, heading: &str) -> Option<Objection> {
     const CYCLE: &str = "cycle";
     let (name, unit) = parts(heading);
     let word = name.trim().to_lowercase();
     if word != CYCLE && !other_names(&word).contains(&CYCLE) {
-        return Vec::new();
+        return None;
     }
     let value = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
-    let time = |place: usize| format!("{prefix}motion[{place}].time");
-    let is_dwell = |place: &usize| {
-        value(&format!("{prefix}motion[{place}].law")) == Some("dwell") && value(&time(*place)).is_some()
-    };
+    let key = |place: usize, key: &str| format!("motion[{place}].{key}");
     let is_there = |place: &usize| all.iter().any(|each| each.path == format!("{prefix}motion[{place}]"));
     let unit = unit.as_deref().unwrap_or("s");
-    (1..).take_while(is_there).filter(is_dwell).map(|place| format!("motion[{place}].time [{unit}]")).collect()
+    let time = |place: usize| {
+        let is_dwell = value(&format!("{prefix}{}", key(place, "law"))) == Some("dwell");
+        let time = key(place, if is_dwell { "time" } else { "pause" });
+        value(&format!("{prefix}{time}")).is_some().then(|| format!("{time} [{unit}]"))
+    };
+    let times: Vec<String> = (1..).take_while(is_there).filter_map(time).collect();
+    let fault = Fault::Tabular(TabularFault::NoCycle { path: name.trim().to_owned() });
+    Some((fault, (!times.is_empty()).then_some(Hint::ValidAre(times))))
 }
 
 /// Returns a path with its entries in brackets: `motion.1.time` is `motion[1].time`.
@@ -171,8 +176,14 @@ mod tests {
         // Of different distances one value would make equal ones.
         let other = written(&TEXT.replace("-100 mm", "-50 mm")).unwrap();
         assert_eq!(of(&other, "distance [mm]"), ["distance [mm]"]);
-        assert_eq!(times_for_cycle(&all, "", "Zyklus [ms]"), ["motion[2].time [ms]"]);
-        assert!(times_for_cycle(&all, "", "time [ms]").is_empty());
+        let times = |all: &[Written], heading: &str| without_cycle(all, "", heading).map(|(_, hint)| hint);
+        let valid = |heading: &str| Some(Some(Hint::ValidAre(vec![heading.to_owned()])));
+        assert_eq!(times(&all, "Zyklus [ms]"), valid("motion[2].time [ms]"));
+        assert_eq!(times(&all, "time [ms]"), None);
+        let paused = "[[motion]]\nlaw = \"manual\"\nspeed = \"40 1/min\"\n";
+        assert_eq!(times(&written(paused).unwrap(), "cycle"), Some(None));
+        let paused = written(&format!("{paused}pause = \"1 s\"\n")).unwrap();
+        assert_eq!(times(&paused, "cycle [s]"), valid("motion[1].pause [s]"));
         let cycle = written(&TEXT.replace("time = \"2 s\"", "cycle = \"5 s\"")).unwrap();
         for heading in ["cycle [s]", "Zyklus [s]", "Taktzeit [s]"] {
             assert_eq!(of(&cycle, heading), ["motion[2].cycle [s]"], "{heading}");

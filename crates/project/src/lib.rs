@@ -99,7 +99,7 @@ pub mod sections {
 pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyKind, BodyShape, BodyText, read_bodies};
 pub use catalogue_file::{CATALOGUE_KEYS, CATALOGUE_MAX_BYTES, ReadCatalogue, read_catalogue};
-pub use column_words::{HeadingMeant, headings_meant, nearest_entry, times_for_cycle, with_brackets};
+pub use column_words::{HeadingMeant, headings_meant, nearest_entry, with_brackets, without_cycle};
 pub use cycle::{FilledCycle, Unfilled, cycle_filled};
 pub use diagnostic::{Diagnostic, offset, place};
 pub use edit::{
@@ -113,7 +113,7 @@ pub use inputs::{Input, InputChange, input_changes, inputs};
 pub use key::{ColumnDimensions, Key, Kind, Variants, example};
 pub use key_default::KeyDefault;
 pub use label::input_label;
-pub use load::{LOADS, Load, loads};
+pub use load::{LOADS, Load, loads, takes_payload};
 pub use measured::{MEASURED_FORMAT, MEASURED_KEYS, MeasuredKey, MeasuredLine, measured_lines, read_measured};
 pub use merged::{Clash, Prefer, Unmerged, merged};
 pub use motion::SegmentLaw;

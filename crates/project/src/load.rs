@@ -52,6 +52,17 @@ impl Load {
     }
 }
 
+/// Keys of the mechanisms that carry a payload: along a line, or at a lever arm.
+const OF_PAYLOADS: [&str; 2] = ["process_force", "payload_distance"];
+
+/// Returns `true` if the mechanism of an axis may carry a payload; `prefix` stands before the keys of the axis.
+#[must_use]
+pub fn takes_payload(all: &[Written], prefix: &str) -> bool {
+    let tables = all.iter().filter_map(|each| each.path.strip_prefix(prefix)?.strip_prefix("mechanism."));
+    let has = |table: &str, key: &&str| key_at(&format!("mechanism.{table}.{key}")).is_some();
+    tables.filter(|table| !table.contains(['.', '['])).any(|table| OF_PAYLOADS.iter().any(|key| has(table, key)))
+}
+
 /// Returns the loads of an axis that are not zero; `prefix` stands before the keys of the axis. A mechanism whose torques are
 /// recorded or stated over the position has none.
 #[must_use]

@@ -39,6 +39,11 @@ pub enum TabularFault {
         /// Number of entries of the list.
         count: usize,
     },
+    /// A heading for the cycle of a motion of which no dwell states the cycle.
+    NoCycle {
+        /// Heading as written, without its unit.
+        path: String,
+    },
     /// A cell of a table without a value.
     NoValue {
         /// Path of the key.
@@ -137,6 +142,7 @@ impl TabularFault {
             Self::NoHeading { .. } => "no_heading",
             Self::ColumnTwice { .. } => "column_twice",
             Self::NoEntry { .. } => "no_entry",
+            Self::NoCycle { .. } => "no_cycle",
             Self::NoValue { .. } => "no_value",
             Self::NotANumber { .. } => "not_a_number",
             Self::UnitOfCell { .. } => "unit_of_cell",

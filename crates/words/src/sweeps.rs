@@ -201,6 +201,10 @@ pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
             said!(language => "two columns state the key `{path}`" | "zwei Spalten nennen den Schlüssel `{path}`")
         }
         TabularFault::NoEntry { path, count } => no_entry(path, count, language),
+        TabularFault::NoCycle { path } => said!(language =>
+            "`{path}`: no dwell of the project states `cycle`; write it in the last dwell in place of `time`, or add a dwell with it"
+            | "`{path}`: keine Rast des Projekts nennt `cycle`; in der letzten Rast statt `time` angeben oder eine Rast damit anfügen"
+        ),
         TabularFault::NoValue { path } => {
             said!(language => "`{path}`: the cell is empty" | "`{path}`: die Zelle ist leer")
         }

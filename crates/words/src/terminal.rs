@@ -215,6 +215,12 @@ texts! {
     no_load_to_scale =
         "the project states no load that a factor could change: its torques are recorded or stated over the position, or its load is zero"
         | "das Projekt nennt keine Last, die ein Faktor ändern könnte: die Drehmomente sind aufgezeichnet oder über der Position angegeben, oder die Last ist null";
+    mass_of_no_load(word) =
+        "`{word}`: the project states no load that a mass could change: its torques are recorded or stated over the position"
+        | "„{word}“: das Projekt nennt keine Last, die eine Masse ändern könnte: die Drehmomente sind aufgezeichnet oder über der Position angegeben";
+    mass_without_radius(word, keys, mass, inertia) =
+        "`{word}`: a mass has no lever arm on this axis, whose load is stated by {keys}; {mass} at a radius of 100 mm have {inertia} kg m²"
+        | "„{word}“: eine Masse hat an dieser Achse keinen Hebelarm, ihre Last ist mit {keys} angegeben; {mass} auf einem Radius von 100 mm haben {inertia} kg m²";
     no_effect_without(others) = "the option has no effect without {others}" | "die Option wirkt nur zusammen mit {others}";
     no_steps_without_a_range =
         "steps divide a range such as 10..20kg; no value of --vary is one"

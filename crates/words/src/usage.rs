@@ -18,6 +18,20 @@ pub enum Usage {
         /// Spelling of the call.
         written: String,
     },
+    /// The option is one of another command.
+    OptionOf {
+        /// Spelling of the call.
+        written: String,
+        /// Command of the call.
+        command: String,
+        /// Command that has the option.
+        other: String,
+    },
+    /// The project does not exist.
+    NoFile {
+        /// Spelling of the call.
+        written: String,
+    },
     /// The command takes no such argument.
     NoSuchArgument {
         /// Spelling of the call.
@@ -104,6 +118,13 @@ pub fn usage_text(usage: &Usage, language: Language) -> String {
         Usage::UnknownOption { written } => {
             said!(language => "unknown option \"{written}\"" | "unbekannte Option „{written}“")
         }
+        Usage::OptionOf { written, command, other } => said!(language =>
+            "\"{written}\" is an option of `{other}`, not of `{command}`"
+            | "„{written}“ ist eine Option von `{other}`, nicht von `{command}`"
+        ),
+        Usage::NoFile { written } => said!(language =>
+            "{written}: there is no such file" | "{written}: diese Datei existiert nicht"
+        ),
         Usage::NoSuchArgument { written, command } => said!(language =>
             "\"{written}\" is no argument of `{command}`" | "„{written}“ ist kein Argument von `{command}`"
         ),

@@ -32,7 +32,7 @@ pub(crate) fn named(all: &[Written], prefix: &str, name: &str, value: &str) -> V
 }
 
 /// Returns `true` if a word without a table is one for a mass.
-fn is_mass(name: &str) -> bool {
+pub(super) fn is_mass(name: &str) -> bool {
     let name = name.to_lowercase();
     name == MASS || other_names(&name).contains(&MASS)
 }

@@ -108,6 +108,14 @@ fn other_command(command: &str, behind: &[&str], language: Language) -> Option<&
     let has_project = behind.iter().any(|word| has_ending(word, &[".toml"]) || *word == "-");
     let stated = || behind.iter().enumerate().filter(|(place, word)| is_code(word) && is_value_of_code(behind, *place));
     let is_of_several = || stated().count() > 1 || behind.iter().filter(|word| **word == "--code").count() > 1;
+    // The battery is that of every actuator; the faults of a code are those of the other commands.
+    if let ("battery", [word]) = (command, behind)
+        && word.contains('-')
+        && word.starts_with(char::is_alphabetic)
+        && questions::read_code(word, language).is_err()
+    {
+        return Some("data");
+    }
     match (has_code, has_project) {
         (_, true) if ["size", "check"].contains(&command) && is_of_several() => Some("compare"),
         (true, true) if command == "size" => Some("check"),

@@ -6,6 +6,7 @@ use super::best::{BestOfPattern, best_of_pattern};
 use super::example::code_of_recorded;
 use super::folder::{has_ending, projects_in};
 use super::meant::{Called, Part};
+use super::own::VARY;
 use super::spoken::seems_code;
 use super::typed::typed;
 use clap::Command;
@@ -183,6 +184,17 @@ fn with_one_option(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
             let code = code_of_recorded(arguments, called, &|| None)?;
             with(&["--code", &code], terminal::best_of_the_ranking(&code, language))
         }
+        // The answers beside the table, in a file that does not exist.
+        "sweep" if !is_given(&["out", VARY]) && !super::json_of(arguments) => {
+            let is_table = |word: &&str| called.takers(word, &[]).0.iter().any(|name| name == "--table");
+            let table = parts.iter().find_map(|part| match part {
+                Part::Option(option, Some(value)) if option.get_long() == Some("table") => Some(*value),
+                Part::Bare(_, word) => Some(*word).filter(is_table),
+                _ => None,
+            });
+            let file = answers_beside(Path::new(table.filter(|table| *table != "-")?))?;
+            with(&["--out", &file], terminal::option_assumed(&typed(["--out", &file]), language))
+        }
         "battery" => {
             let code = bare.iter().find(|word| questions::read_code(word, language).is_ok());
             let words = arguments.iter().filter(|word| code.is_none_or(|code| *word != code)).cloned();
@@ -196,6 +208,23 @@ fn with_one_option(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
         }
         _ => None,
     }
+}
+
+/// Largest number of names that are tried for a file of answers.
+const NAMES_MOST: u32 = 999;
+
+/// Returns the name of a file for the answers of a table beside it: in Parquet if the table is, else in CSV.
+fn answers_beside(table: &Path) -> Option<String> {
+    let stem = table.file_name()?.to_str()?.split('.').next()?;
+    let is_parquet = has_ending(table.to_str()?, &[".parquet", ".pq"]);
+    let ending = if is_parquet { "parquet" } else { "csv" };
+    let name = |number: u32| match number {
+        1 => format!("{stem}_answers.{ending}"),
+        _ => format!("{stem}_answers_{number}.{ending}"),
+    };
+    let is_free = |path: &std::path::PathBuf| path.symlink_metadata().is_err();
+    let found = (1..=NAMES_MOST).map(|number| table.with_file_name(name(number))).find(is_free)?;
+    found.to_str().map(str::to_owned)
 }
 
 /// Returns the options of a run for a duration of an hour or more: `--time 8h` of a simulation.

@@ -18,6 +18,7 @@ use questions::list::report::TITLE_PAGE;
 use questions::list::{Argument, ArgumentKind, Entry, LIST};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use words::Usage;
 
 /// Commands and options whose words name what another command may be meant to show.
 const OTHER_COMMANDS: [(&str, &str); 3] = [("explain", "check"), ("plot", "figure"), ("simulate", "scenario")];
@@ -97,6 +98,13 @@ impl Called<'_> {
         let lacks =
             !texts.iter().any(is_project) && self.command.get_positionals().any(|each| each.get_id() == "project");
         lacks && has_ending(word, &RECORDINGS)
+    }
+
+    /// Returns the project of a call that does not exist: it is what is wrong with the call, not the words behind it.
+    pub(super) fn missing_project(&self) -> Option<&str> {
+        let reads = self.command.get_positionals().next().is_some_and(|each| each.get_id() == "project");
+        let first = self.first.first().filter(|word| reads && has_ending(word, &[".toml"]))?;
+        (!Path::new(first).exists()).then_some(first)
     }
 
     /// Returns the text of the first project of the call, or of the kind of a new one.
@@ -215,6 +223,22 @@ impl Called<'_> {
             Hint::DidYouMean(name) => Some(format!("--{name}")),
             _ => None,
         }
+    }
+
+    /// Returns the fault of an unknown option that the command of the first proposed call has.
+    pub(super) fn owner_of_option(&self, word: &str, calls: &[String]) -> Option<Usage> {
+        let written = word.split('=').next()?;
+        let name = written.strip_prefix("--")?;
+        let call = calls.first()?.strip_prefix(super::NAME)?.trim_start();
+        let is_called = |entry: &&Entry| call.strip_prefix(&*entry.command()).is_some_and(|rest| rest.starts_with(' '));
+        let owner = LIST.iter().copied().filter(is_called).max_by_key(|entry| entry.command().len())?;
+        let other = format!("{} {}", super::NAME, owner.command());
+        let has = owner.arguments.iter().any(|argument| argument.name == name);
+        (other != self.name && has).then(|| Usage::OptionOf {
+            written: written.to_owned(),
+            command: self.name.clone(),
+            other,
+        })
     }
 
     /// Returns the calls with an option that exists in place of an unknown one: a key of the project, a factor, or the option

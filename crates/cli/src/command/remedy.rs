@@ -10,7 +10,7 @@ use super::replaced::{code_of, more_codes};
 use super::solid;
 use super::spoken::seems_code;
 use super::typed::{number_and_unit, typed};
-use crate::changed::motion;
+use crate::changed::{mass, motion};
 use clap::Command;
 use project::{Hint, Kind, Written, example, key_at, nearest_name, other_names, written};
 use quantities::Language;
@@ -156,6 +156,7 @@ fn with_option(words: &[String], option: &[String]) -> Option<Vec<String>> {
                 || other_names(&other).contains(&&*key)
                 || spoken::scaled(&other).is_some_and(|scaled| scaled == key || scaled == "load")
                 || value.ends_with(stated)
+                || mass::is_mass_of_load(&other, stated.trim())
         })
     };
     let statement = |at: usize| {

@@ -6,7 +6,7 @@ use super::completed::operation;
 use super::meant::Called;
 use super::own::{VARY, is_of_several};
 use super::spoken::{option_meant, seems_code, twin_options};
-use crate::changed::{LOAD_FACTORS, factor, keys, motion, prefix};
+use crate::changed::{LOAD_FACTORS, factor, keys, mass, motion, prefix};
 use clap::Command;
 use project::{Written, distance_of_stations, written};
 use quantities::Language;
@@ -228,6 +228,12 @@ impl Unknown<'_> {
         }
         let plainly = || Some(vec!["--set".to_owned(), format!("{key}={value}")]);
         let is_number = value.replace(',', ".").parse::<f64>().is_ok();
+        // The refusal of a mass without a radius says what to state.
+        if mass::is_mass_of_load(key, value)
+            && mass::without_radius(all, prefix, (key, value), self.called.language()).is_some()
+        {
+            return plainly();
+        }
         if motion::meaning(key).is_some() || distance_of_stations(key, value).is_some() {
             return plainly();
         }

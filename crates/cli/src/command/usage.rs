@@ -86,6 +86,11 @@ fn refusal(error: &clap::Error, (command, arguments): (&Command, &[OsString]), l
         }
         _ => Vec::new(),
     };
+    let other = || whole.as_ref()?.owner_of_option(unknown.as_deref()?, &calls);
+    if let Some(usage) = other() {
+        let hints = vec![UsageHint::Calls(calls)];
+        return Refusal { usage, option: None, hints, kinds: String::new() };
+    }
     let calls = if calls.is_empty() { of_folder(first_calls(error, arguments)) } else { calls };
     if !calls.is_empty() {
         let hints = vec![UsageHint::Calls(calls)];

@@ -106,3 +106,39 @@ fn several_loads_are_refused_with_a_call_for_each() {
     let way = call(folder.path(), "antrieb moves plain.toml --distance +10mm");
     assert!(way.code == 2 && named(&way.err).len() == 2, "{}", way.err);
 }
+
+/// A mass for a load that is a moment of inertia or a torque is refused with the keys of the load; the proposed calls work.
+#[test]
+fn a_mass_is_added_to_the_load_or_refused_with_what_the_load_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let made = call(folder.path(), "antrieb new turntable --out axis.toml");
+    assert_eq!(made.code, 0, "{}", made.err);
+    let (mut refused, mut taken) = (0, 0);
+    for (table, _) in LOADS {
+        let kind = table.rsplit('.').next().unwrap();
+        // A joint reads a recording.
+        if ["joint", "table"].contains(&kind) {
+            continue;
+        }
+        let made = call(folder.path(), &format!("antrieb new {kind} --out {kind}.toml"));
+        assert_eq!(made.code, 0, "{}", made.err);
+        for words in ["load +5kg", "--load +5kg", "--load 5kg", "--mass 5kg", "--payload 5kg", "--set payload=5kg"] {
+            let run = call(folder.path(), &format!("antrieb moves {kind}.toml {words}"));
+            if run.code == 0 {
+                taken += 1;
+                continue;
+            }
+            let calls = named(&run.err);
+            assert!(run.code == 2 && !calls.is_empty(), "{kind} {words}\n{}", run.err);
+            if run.err.contains("0.05 kg m²") {
+                refused += 1;
+                assert!(run.err.contains(table), "{kind} {words}\n{}", run.err);
+            }
+            for proposed in calls {
+                let done = call(folder.path(), &proposed);
+                assert!(done.code < 2, "{proposed}\n{}", done.err);
+            }
+        }
+    }
+    assert!(refused >= 12 && taken >= 20, "{refused} {taken}");
+}

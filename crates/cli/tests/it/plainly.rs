@@ -148,3 +148,70 @@ fn decimal_commas_of_a_binary_file_are_refused_once() {
     assert_eq!(found.code, 2);
     assert_eq!(found.err.matches("--decimal-comma").count(), 1, "{}", found.err);
 }
+
+#[test]
+fn a_table_without_a_file_for_its_answers_has_one_beside_it_that_replaces_nothing() {
+    let folder = folder();
+    let made = call(folder.path(), "antrieb new disc --out plain.toml --force");
+    assert_eq!(made.code, 0, "{}", made.err);
+    std::fs::write(folder.path().join("tasks.csv"), "motion[1].time [s]\n1\n2\n").unwrap();
+    for file in ["tasks_answers.csv", "tasks_answers_2.csv", "tasks_answers_3.csv"] {
+        let run = call(folder.path(), "antrieb sweep plain.toml tasks.csv");
+        assert!(run.code == 0 && run.err.contains(&format!("--out {file}")), "{}", run.err);
+        assert!(folder.path().join(file).is_file(), "{file}");
+    }
+    let run = call(folder.path(), "antrieb sweep plain.toml tasks.csv --json");
+    assert_eq!(run.code, 2, "{}", run.err);
+}
+
+#[test]
+fn a_misspelt_code_is_the_fault_of_a_call_that_needs_none() {
+    let folder = folder();
+    for (words, part) in
+        [("CHA-25A-50-H-C1025", "`C1024`"), ("WRONG-CODE", "CHA"), ("CHA-25A-50-H-C1025 --json", "C1024")]
+    {
+        let run = call(folder.path(), &format!("antrieb battery {words}"));
+        assert!(run.code == 2 && format!("{}{}", run.out, run.err).contains(part), "{words}\n{}", run.err);
+        assert!(!run.err.contains("argument"), "{words}\n{}", run.err);
+    }
+}
+
+#[test]
+fn an_option_of_another_command_is_named_as_such() {
+    let folder = folder();
+    let run = call(folder.path(), "antrieb wiring CHA-25A-50-H-C1024 --for sinamics");
+    let is_named = run.err.contains("\"--for\" is an option of `antrieb commission`, not of `antrieb wiring`");
+    assert!(run.code == 2 && is_named, "{}", run.err);
+}
+
+#[test]
+fn a_missing_project_is_the_fault_of_a_call_with_further_words() {
+    let folder = folder();
+    for words in ["size nowhere.toml load +5kg", "check nowhere.toml soon", "size nowhere.toml"] {
+        let run = call(folder.path(), &format!("antrieb {words}"));
+        let is_named = run.err.contains("nowhere.toml: there is no such file");
+        assert!(run.code == 2 && is_named && !run.err.contains("is no argument"), "{words}\n{}", run.err);
+    }
+}
+
+#[test]
+fn a_heading_for_a_cycle_that_no_dwell_states_says_why_it_is_refused() {
+    let folder = folder();
+    let made = call(folder.path(), "antrieb new arm --out plain.toml --force");
+    assert_eq!(made.code, 0, "{}", made.err);
+    for heading in ["cycle [s]", "Zyklus [s]", "Taktzeit [ms]"] {
+        std::fs::write(folder.path().join("tasks.csv"), format!("{heading}\n6\n7\n")).unwrap();
+        let run = call(folder.path(), "antrieb sweep plain.toml tasks.csv --out best.csv");
+        let unit = heading.split_once(' ').unwrap().1;
+        let times = format!("motion[2].time {unit}, motion[4].time {unit}");
+        let is_named = run.err.contains("no dwell of the project states `cycle`") && run.err.contains(&times);
+        assert!(run.code == 2 && is_named, "{}", run.err);
+        // As the refusal says.
+        let text = std::fs::read_to_string(folder.path().join("plain.toml")).unwrap();
+        let place = text.rfind("time = \"1 s\"").unwrap();
+        let with_cycle = format!("{}cycle = \"9 s\"{}", &text[..place], &text[place + 12..]);
+        std::fs::write(folder.path().join("cycle.toml"), with_cycle).unwrap();
+        let run = call(folder.path(), "antrieb sweep cycle.toml tasks.csv --out best.csv --force");
+        assert!(run.code < 2, "{}", run.err);
+    }
+}

@@ -112,6 +112,7 @@ def axes_from_arrays(
     called = _called(names) if names is not None else titles or [f"J{place}" for place in range(1, joints + 1)]
     if len(called) != joints:
         raise fault(f"names: {len(called)} names for {joints} joints", "give a name for each column")
+    _mechanisms(mechanism)
     each: list[Any] = list(mechanism) if isinstance(mechanism, (list, tuple)) else [mechanism] * joints
     if len(each) != joints:
         raise fault(f"mechanism: {len(each)} mechanisms for {joints} joints", "give one for each column, or one for all")
@@ -285,6 +286,13 @@ def _column(given: Any, unit: Any, plain: str, name: str, count: int | None) -> 
         turned = f"; its rows are joints, hand over {name}.T" if rows and len(rows[0]) == count else ""
         raise fault(f"{name} has {len(rows)} rows for {count} instants{turned}", "give a row for each instant")
     return Column(name, own, rows, titles)
+
+
+def _mechanisms(given: Any) -> None:
+    """Refuses what is no mechanism."""
+    for one in given if isinstance(given, (list, tuple)) else [given]:
+        if one is not None and not isinstance(one, Load):
+            raise TypeError(f"mechanism: antrieb.Arm(…) or another mechanism is expected, or one for each joint, not {type(one).__name__}")
 
 
 def _headed(values: Any, name: str) -> tuple[list[str] | None, Any]:

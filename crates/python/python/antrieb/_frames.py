@@ -9,7 +9,7 @@ from typing import Any
 
 from antrieb._antrieb import Table
 from antrieb._lines import Grid
-from antrieb._record import _library  # pyright: ignore[reportPrivateUsage]
+from antrieb._record import _library, place_of  # pyright: ignore[reportPrivateUsage]
 from antrieb._tables import arrow_library
 
 ROWS = 12
@@ -51,26 +51,30 @@ def to_polars(table: Table) -> Any:
 
 def to_dicts(table: Table) -> list[dict[str, Any]]:
     """A dictionary for each row."""
-    columns = table.to_pydict()
+    return _dicts(table.to_pydict())
+
+
+def _dicts(columns: dict[str, list[Any]]) -> list[dict[str, Any]]:
     return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
 
 
 def item(table: Table, key: Any) -> Any:
     """A column by its heading, a row by its place."""
     if isinstance(key, str):
-        columns = table.to_pydict()
-        if key not in columns:
-            raise KeyError(f"no column is called {key!r}; there are {', '.join(columns)}")
-        return columns[key]
+        column = table.column(key)
+        if column is None:
+            raise KeyError(f"no column is called {key!r}; there are {', '.join(table.column_names)}")
+        return column
     if isinstance(key, slice):
-        return to_dicts(table)[key]
-    if not hasattr(key, "__index__"):
-        raise TypeError(f"a column by its heading, a row by its number, or rows as table[0:2], not {type(key).__name__}")
-    at = key.__index__()
+        chosen = range(len(table))[key]
+        least = min(chosen, default=0)
+        rows = _dicts(table.rows(least, max(chosen, default=-1) + 1 - least))
+        return [rows[at - least] for at in chosen]
+    at = place_of(key, "a column by its heading, a row by its number, or rows as table[0:2]")
     count = len(table)
     if not -count <= at < count:
         raise IndexError(f"there are {count} rows, not {at}")
-    return {heading: values[at] for heading, values in table.to_pydict().items()}
+    return {heading: values[0] for heading, values in table.rows(at % count, 1).items()}
 
 
 ANSWERED = frozenset(
@@ -125,7 +129,7 @@ def _shown(table: Table) -> tuple[list[str], list[list[str]]]:
     from antrieb._shown import number
 
     head = table.column_names[:COLUMNS]
-    columns = table.first(ROWS)
+    columns = table.rows(0, ROWS)
     rows = [[_cell(columns[heading][at], number) for heading in head] for at in range(min(ROWS, len(table)))]
     return head + (["…"] if len(table.column_names) > COLUMNS else []), [
         row + (["…"] if len(table.column_names) > COLUMNS else []) for row in rows

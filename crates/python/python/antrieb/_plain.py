@@ -150,6 +150,11 @@ def _one(value: Any, name: str) -> tuple[str, Fraction | None]:
     raise TypeError(f"{name}: a time is expected, not {type(value).__name__}; hand over {CURE}")
 
 
+def is_scalar(value: Any) -> bool:
+    """Returns true for a single value of another library; a container of one value is none."""
+    return hasattr(value, "item") and getattr(value, "ndim", 1 if hasattr(value, "__len__") else 0) == 0
+
+
 def number_of(value: Any, name: str) -> float:
     """Returns a number of any library as an `int` or a `float` of Python.
 
@@ -162,7 +167,7 @@ def number_of(value: Any, name: str) -> float:
     refuse_times(value, name)
     if type(value).__name__ == "MaskedConstant":
         raise TypeError(f"{name} is masked: it has no value")
-    if hasattr(value, "item") and getattr(value, "ndim", 0) == 0:
+    if is_scalar(value):
         value = value.item()
     elif hasattr(value, "as_py") and not hasattr(value, "__len__"):
         value = value.as_py()
@@ -258,6 +263,8 @@ def listed(value: Any, name: str) -> list[Any]:
         AntriebError: It has no length and no end.
     """
     ordered(value, name)
+    if not hasattr(value, "__iter__") and not hasattr(value, "__getitem__"):
+        raise TypeError(f"{name}: values in an order are expected, such as a list, not {shown(value)}")
     if hasattr(value, "__len__") or operator.length_hint(value):
         return list(value)
     found: list[Any] = []

@@ -16,7 +16,7 @@ from typing import Any, Protocol
 
 from antrieb._called import called
 from antrieb._fault import fault
-from antrieb._plain import is_time, listed, number_of, ordered, refuse_times, seconds, text
+from antrieb._plain import is_scalar, is_time, listed, number_of, ordered, refuse_times, seconds, text
 
 
 class PintQuantity(Protocol):
@@ -217,7 +217,7 @@ def _numbers(value: Any, name: str) -> float | tuple[float, ...]:
 
 def _one(value: Any, name: str) -> float:
     if isinstance(value, (list, tuple)) or getattr(value, "ndim", 0) > 0:
-        raise TypeError(f"{name}: an array of one dimension is expected")
+        raise TypeError(f"{name}: an array of one dimension is expected; axes_from_arrays takes one of two with its unit apart, position_unit='deg'")
     return number_of(value, name)
 
 
@@ -410,7 +410,7 @@ def _expected(value: Any, name: str, example: str) -> str:
         written = f'{last}="{value!r} {unit[1]}"'
         return f"{name}: {value!r} has no unit; write {written}, or {last}=antrieb.q({value!r}, \"{unit[1]}\")"
     item = getattr(value, "item", None)
-    if unit and item is not None and getattr(value, "ndim", 0) == 0 and not isinstance(item(), type(value)):
+    if unit and item is not None and is_scalar(value) and not isinstance(item(), type(value)):
         return _expected(item(), name, example)
     return f'{name} is a quantity with its unit, such as {last}="{example}", not {type(value).__name__}'
 

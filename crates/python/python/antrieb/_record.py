@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import difflib
 import importlib
+import operator
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any, Generic, SupportsIndex, TypeVar, overload
 
@@ -112,6 +113,18 @@ class Explainable(Record):
         return _origin.explained(self, deadline)
 
 
+def place_of(key: Any, expected: str) -> int:
+    """The number of an entry.
+
+    Raises:
+        TypeError: The key is no whole number.
+    """
+    try:
+        return operator.index(key)
+    except TypeError:
+        raise TypeError(f"{expected} is expected, not {type(key).__name__}") from None
+
+
 class Tabular(Record):
     """A table of an answer: its rows by place, its columns by name."""
 
@@ -123,8 +136,10 @@ class Tabular(Record):
 
     def __getitem__(self, key: int | str, /) -> Any:
         own: Any = self
-        if not isinstance(key, str):
+        if isinstance(key, slice):
             return own.rows[key]
+        if not isinstance(key, str):
+            return own.rows[place_of(key, "a row by its number, or a column by its name")]
         if own.columns._named(key) is not None:
             return [row[key] for row in own.rows]
         raise KeyError(key)
@@ -149,7 +164,7 @@ class Rows(list[T], Generic[T]):
             return self._named(key)
         if isinstance(key, slice):
             return Rows(super().__getitem__(key))
-        return super().__getitem__(key)
+        return super().__getitem__(place_of(key, "an entry by its number, or by its code, id or name"))
 
     def __contains__(self, item: object, /) -> bool:
         return any(item in _names_of(each) for each in self) if isinstance(item, str) else super().__contains__(item)

@@ -19,7 +19,7 @@ from typing import Any, ClassVar, NamedTuple, Self
 
 from antrieb import _antrieb
 from antrieb._fault import fault, faults, no_choice
-from antrieb._plain import listed, number_of, refuse_times, text
+from antrieb._plain import is_scalar, listed, number_of, refuse_times, text
 from antrieb._quantity import Converted, Q, of_pint, split, text_of
 from antrieb._toml import value_text as _value
 
@@ -386,7 +386,7 @@ def _quantity(kind: Kind, value: Any, where: str) -> str:
 
 def _as_number(_: Kind, value: Any, where: str) -> float:
     refuse_times(value, where)
-    if hasattr(value, "item") and getattr(value, "ndim", 0) == 0:
+    if is_scalar(value):
         value = value.item()
     found = value if isinstance(value, Q) else of_pint(value)
     if found is not None and found.unit == "" and not isinstance(found.value, tuple):
@@ -403,7 +403,7 @@ def _integer(_: Kind, value: Any, where: str) -> int:
     if isinstance(value, bool):
         raise TypeError(f"{where} is a whole number, not {value}")
     refuse_times(value, where)
-    if hasattr(value, "item") and getattr(value, "ndim", 0) == 0:
+    if is_scalar(value):
         value = value.item()
     try:
         return int(operator.index(value))
@@ -412,7 +412,7 @@ def _integer(_: Kind, value: Any, where: str) -> int:
 
 
 def _bool(_: Kind, value: Any, where: str) -> bool:
-    if hasattr(value, "item") and getattr(value, "ndim", 0) == 0:
+    if is_scalar(value):
         value = value.item()
     if not isinstance(value, bool):
         raise TypeError(f"{where} is True or False, not {_called(value)}")

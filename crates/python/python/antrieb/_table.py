@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -120,6 +121,12 @@ class Sweep:
     def batch(self, batch: TableLike, first_row: int = 0) -> Table:
         """The answers of a part of a table, at most `rows_most` rows, whose first row has this number; a fault of a cell is in the column `error`."""
         rows = self._rows(batch, "batch")
+        try:
+            first_row = operator.index(first_row)
+        except TypeError:
+            raise TypeError(f"first_row: a whole number from 0 is expected, not {type(first_row).__name__}") from None
+        if not 0 <= first_row < 1 << 63:
+            raise ValueError(f"first_row: a whole number from 0 to 2^63 is expected, not {first_row}")
         try:
             return self._sweep.batch(rows, first_row)
         except AntriebError as error:

@@ -17,6 +17,30 @@ const TICK: Duration = Duration::from_millis(20);
 /// Time after an interrupt in which the work ends by itself; later it is left to its thread, which ends at its next step.
 const GRACE: Duration = Duration::from_millis(60);
 
+/// Number of values that are converted between two checks for an interrupt.
+const CONVERTED: u32 = 4096;
+
+/// Values of Python that are converted while the interpreter waits; every [`CONVERTED`] of them it checks for an interrupt.
+#[derive(Debug, Default)]
+pub(super) struct Conversion {
+    since: u32,
+}
+
+impl Conversion {
+    /// Counts a value.
+    ///
+    /// # Errors
+    /// The exception of an interrupt.
+    pub(super) fn count(&mut self, py: Python<'_>) -> PyResult<()> {
+        self.since += 1;
+        if self.since < CONVERTED {
+            return Ok(());
+        }
+        self.since = 0;
+        py.check_signals()
+    }
+}
+
 /// A call while it works: cancellation, time limit and the Python function that is called with its progress.
 pub(super) struct Watch<'p> {
     pub(super) progress: Arc<Progress>,

@@ -1,5 +1,6 @@
 //! Cells of Arrow as values of Python.
 
+use super::call::Conversion;
 use arrow_array::cast::AsArray;
 use arrow_array::types::{Float64Type, Int64Type, UInt32Type, UInt64Type};
 use arrow_array::{Array, ArrayRef};
@@ -10,10 +11,19 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyFloat, PyList, PyString, PyTuple};
 
 /// Appends the values of a column to a list, each as the type of Python that holds it without loss.
-pub(super) fn append(values: &Bound<'_, PyList>, array: &ArrayRef, heading: &str) -> PyResult<()> {
+///
+/// # Errors
+/// A type that no value of Python holds; an interrupt.
+pub(super) fn append(
+    values: &Bound<'_, PyList>,
+    array: &ArrayRef,
+    heading: &str,
+    conversion: &mut Conversion,
+) -> PyResult<()> {
     let py = values.py();
     let nulls = array.logical_nulls();
     for row in 0..array.len() {
+        conversion.count(py)?;
         if nulls.as_ref().is_some_and(|nulls| nulls.is_null(row)) {
             values.append(py.None())?;
             continue;
@@ -25,18 +35,23 @@ pub(super) fn append(values: &Bound<'_, PyList>, array: &ArrayRef, heading: &str
             DataType::UInt32 => values.append(array.as_primitive::<UInt32Type>().value(row))?,
             DataType::Int64 => values.append(array.as_primitive::<Int64Type>().value(row))?,
             DataType::Boolean => values.append(array.as_boolean().value(row))?,
-            _ => values.append(repeated(&array.slice(row, 1), heading, py)?)?,
+            _ => values.append(repeated(&array.slice(row, 1), heading, py, conversion)?)?,
         }
     }
     Ok(())
 }
 
 /// Returns the only value of a column that the table repeats.
-fn repeated<'py>(one: &ArrayRef, heading: &str, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+fn repeated<'py>(
+    one: &ArrayRef,
+    heading: &str,
+    py: Python<'py>,
+    conversion: &mut Conversion,
+) -> PyResult<Bound<'py, PyAny>> {
     let cast = |of: &DataType| arrow_cast::cast(one, of).map_err(|error| unread(heading, one.data_type(), &error));
-    let list = |inner: &ArrayRef| {
+    let mut list = |inner: &ArrayRef| {
         let values = PyList::empty(py);
-        append(&values, inner, heading)?;
+        append(&values, inner, heading, conversion)?;
         Ok::<_, PyErr>(values)
     };
     Ok(match one.data_type() {

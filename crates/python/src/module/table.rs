@@ -1,6 +1,6 @@
 //! Tables and sweeps as Python objects.
 
-use super::call::{Handed, Watch, interruptible, refused, text};
+use super::call::{Conversion, Handed, Watch, interruptible, refused, text};
 use crate::SweepCall;
 use crate::module::{capsules, cells};
 use crate::sweep::checked;
@@ -8,7 +8,7 @@ use arrow_array::{Array, ArrayRef, BooleanArray, Float64Array, Int64Array, Recor
 use arrow_ipc::reader::StreamReader;
 use arrow_ipc::writer::StreamWriter;
 use arrow_schema::{Field, Schema, SchemaRef};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::{PyException, PyTypeError, PyValueError};
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyBytes, PyCapsule, PyDict, PyInt, PyList, PyString};
@@ -37,8 +37,15 @@ impl Table {
         for (heading, values) in columns {
             let heading = heading.extract::<String>()?;
             let array = listed(&values).and_then(|values| column(&values));
-            let array = array
-                .map_err(|error| PyTypeError::new_err(format!("column '{heading}': {}", error.value(columns.py()))))?;
+            let array = array.map_err(|error| {
+                // An interrupt stays one.
+                let py = columns.py();
+                if error.is_instance_of::<PyException>(py) {
+                    PyTypeError::new_err(format!("column '{heading}': {}", error.value(py)))
+                } else {
+                    error
+                }
+            })?;
             fields.push(Field::new(heading, array.data_type().clone(), true));
             arrays.push(array);
         }
@@ -61,15 +68,23 @@ impl Table {
         self.to_pydict(py)
     }
 
-    /// The first rows, as lists by the headings of their columns.
-    fn first<'py>(&self, py: Python<'py>, rows: usize) -> PyResult<Bound<'py, PyDict>> {
-        let mut left = rows;
-        let batches = self.batches.iter().map_while(|batch| {
-            let part = batch.slice(0, left.min(batch.num_rows()));
+    /// Rows from `begin` on, as lists by the headings of their columns.
+    fn rows<'py>(&self, py: Python<'py>, begin: usize, count: usize) -> PyResult<Bound<'py, PyDict>> {
+        let (mut passed, mut left) = (begin, count);
+        let batches = self.batches.iter().filter_map(|batch| {
+            let from = passed.min(batch.num_rows());
+            let part = batch.slice(from, left.min(batch.num_rows() - from));
+            passed -= from;
             left -= part.num_rows();
             (part.num_rows() > 0).then_some(part)
         });
         Self { schema: Arc::clone(&self.schema), batches: batches.collect() }.to_pydict(py)
+    }
+
+    /// The values of a column, `None` if there is no such column.
+    fn column<'py>(&self, py: Python<'py>, heading: &str) -> PyResult<Option<Bound<'py, PyList>>> {
+        let place = self.schema.fields().iter().rposition(|field| field.name() == heading);
+        place.map(|index| self.values(py, index, &mut Conversion::default())).transpose()
     }
 
     /// A dictionary for each row.
@@ -121,12 +136,9 @@ impl Table {
     /// Lists by the headings of their columns.
     fn to_pydict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let columns = PyDict::new(py);
+        let mut conversion = Conversion::default();
         for (index, field) in self.schema.fields().iter().enumerate() {
-            let values = PyList::empty(py);
-            for array in self.batches.iter().filter_map(|batch| batch.columns().get(index)) {
-                cells::append(&values, array, field.name())?;
-            }
-            columns.set_item(field.name(), values)?;
+            columns.set_item(field.name(), self.values(py, index, &mut conversion)?)?;
         }
         Ok(columns)
     }
@@ -188,6 +200,15 @@ impl Table {
 }
 
 impl Table {
+    /// Returns the values of a column.
+    fn values<'py>(&self, py: Python<'py>, index: usize, conversion: &mut Conversion) -> PyResult<Bound<'py, PyList>> {
+        let values = PyList::empty(py);
+        for batch in &self.batches {
+            cells::append(&values, batch.column(index), self.schema.field(index).name(), conversion)?;
+        }
+        Ok(values)
+    }
+
     fn is_equal(&self, other: &Self) -> bool {
         let whole = |table: &Self| arrow_select::concat::concat_batches(&table.schema, &table.batches);
         self.schema == other.schema && whole(self).ok() == whole(other).ok()
@@ -236,7 +257,9 @@ fn listed<'py>(values: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyList>> {
         return Ok(values.call_method0("tolist")?.cast_into::<PyList>()?);
     }
     let list = PyList::empty(values.py());
+    let mut conversion = Conversion::default();
     for value in values.try_iter()? {
+        conversion.count(values.py())?;
         list.append(value?)?;
     }
     Ok(list)
@@ -255,20 +278,36 @@ fn broken(error: arrow_schema::ArrowError) -> PyErr {
 /// Converts a Python list to a column.
 fn column(values: &Bound<'_, PyList>) -> PyResult<ArrayRef> {
     let first = values.iter().find(|value| !value.is_none());
-    let is = |of: fn(&Bound<'_, PyAny>) -> bool| values.iter().all(|value| value.is_none() || of(&value));
     Ok(match first {
         Some(first) if first.is_instance_of::<PyString>() => Arc::new(StringArray::from(each::<String>(values)?)),
         Some(first) if first.is_instance_of::<PyBool>() => Arc::new(BooleanArray::from(each::<bool>(values)?)),
-        Some(_) if is(|value| value.is_instance_of::<PyInt>()) => Arc::new(Int64Array::from(each::<i64>(values)?)),
+        Some(_) if is_whole(values)? => Arc::new(Int64Array::from(each::<i64>(values)?)),
         Some(_) | None => Arc::new(Float64Array::from(each::<f64>(values)?)),
     })
+}
+
+/// Returns `true` if every value is a whole number or `None`.
+fn is_whole(values: &Bound<'_, PyList>) -> PyResult<bool> {
+    let mut conversion = Conversion::default();
+    for value in values {
+        conversion.count(values.py())?;
+        if !value.is_none() && !value.is_instance_of::<PyInt>() {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 fn each<'py, T>(values: &Bound<'py, PyList>) -> PyResult<Vec<Option<T>>>
 where
     Option<T>: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
 {
-    values.iter().map(|value| value.extract::<Option<T>>()).collect()
+    let mut conversion = Conversion::default();
+    let value = |value: Bound<'py, PyAny>| {
+        conversion.count(value.py())?;
+        value.extract::<Option<T>>()
+    };
+    values.iter().map(value).collect()
 }
 
 /// A sweep over tables of the same columns: the project is read once.

@@ -144,6 +144,36 @@ class OddCalls(unittest.TestCase):
                     self.assertEqual(len(found), 1)
                 self.assertRegex(str(caught.exception), "table|inertia|motion|code|id|row|key")
 
+    def test_keys_of_answers_are_refused_with_what_they_may_be(self) -> None:
+        found = antrieb.size(PROJECT)
+        swept = antrieb.sweep(PROJECT, {INERTIA: [1.0, 2.0]})
+        for holder in (found, found.candidates, found.best.checks, swept):
+            for key in (1.5, None, [], {}, object(), b"x", (0, 1)):
+                with self.subTest(f"{type(holder).__name__}[{key!r:.20}]"), self.assertRaisesRegex(TypeError, "by its number"):
+                    holder[typing.cast(typing.Any, key)]
+
+    def test_a_container_of_one_is_no_number(self) -> None:
+        polars = importlib.import_module("polars")
+        for value in ([1.5], (1.5,), polars.Series([1.5]), polars.DataFrame({"a": [1.5]})):
+            with self.subTest(type(value).__name__), self.assertRaisesRegex(TypeError, "load_factor"):
+                antrieb.Bearing(load_factor=value)
+
+    def test_parts_of_axes_from_arrays_are_refused_by_their_names(self) -> None:
+        numpy = importlib.import_module("numpy")
+        time = [0.0, 0.5, 1.0, 1.5]
+        position = [0.0, 0.5, 1.0, 0.0]
+        for value in (0, "", {}, set(), "arm", numpy.zeros(2), antrieb.Move, object()):
+            with self.subTest(f"mechanism={value!r:.20}"), self.assertRaisesRegex(TypeError, "mechanism"):
+                antrieb.axes_from_arrays(time, position, torque=position, mechanism=typing.cast(typing.Any, value))
+        with self.assertRaisesRegex(TypeError, "time"):
+            antrieb.axes_from_arrays({"a": 1}, position, torque=position)
+        with self.assertRaisesRegex(TypeError, "position_unit"):
+            antrieb.axes_from_arrays(time, antrieb.q(numpy.zeros((4, 2)), "deg"))
+        sweep = antrieb.Sweep(PROJECT, {INERTIA: [1.0]})
+        for first in ("1", 1.5, None, -1, [1], 1 << 70):
+            with self.subTest(f"first_row={first!r}"), self.assertRaisesRegex((TypeError, ValueError), "first_row"):
+                sweep.batch({INERTIA: [1.0]}, typing.cast(typing.Any, first))
+
     def test_options_of_a_sweep_are_refused_by_their_names(self) -> None:
         wrong: dict[str, list[typing.Any]] = {
             "lang": ["fr", "", 1],

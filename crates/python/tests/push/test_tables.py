@@ -108,6 +108,29 @@ class Kinds(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "utilisation"):
             table["utilization"]
 
+    def test_rows_and_columns_are_those_of_lists(self) -> None:
+        library = pa.table({"id": [f"r{at}" for at in range(23)], INERTIA: [0.5] * 23}).to_batches(max_chunksize=5)
+        table = antrieb.sweep(ARM, pa.Table.from_batches(library), inputs=True)
+        rows = table.to_dicts()
+        for at in range(-len(rows), len(rows)):
+            self.assertEqual(table[at], rows[at])
+        bounds = [None, *range(-25, 26, 5)]
+        for begin in bounds:
+            for end in bounds:
+                for step in (None, -7, -1, 1, 2, 30):
+                    self.assertEqual(table[begin:end:step], rows[begin:end:step])
+        for heading, values in table.to_pydict().items():
+            self.assertEqual(table[heading], values)
+
+
+def _dates(count: int) -> bytes:
+    """A stream of Arrow with a column of dates."""
+    sink = pa.BufferOutputStream()
+    table = pa.table({"day": pa.array(range(count), pa.int32()).cast(pa.date32())})
+    with pa.ipc.new_stream(sink, table.schema) as writer:
+        writer.write_table(table)
+    return sink.getvalue().to_pybytes()
+
 
 class Work(unittest.TestCase):
     """Progress, interrupts, threads and processes."""
@@ -158,6 +181,46 @@ class Work(unittest.TestCase):
                 self.assertLess(time.monotonic() - at[0], 1.0)
                 if name == "sweep":
                     self.assertIn("of 30000 rows", "".join(caught.exception.__notes__))
+
+    @unittest.skipIf(os.name == "nt", "signals of another kind")
+    def test_a_conversion_checks_for_an_interrupt_every_few_thousand_values(self) -> None:
+        count = 400_000
+        columns = {"number": [0.5] * count, "text": ["a"] * count, "whole": list(range(count))}
+        table = antrieb.Table.from_pydict(columns)
+        dates = antrieb.Table.unpacked(_dates(count // 10))
+        calls: dict[str, tuple[int, typing.Callable[[], object]]] = {
+            "to_pydict": (3 * count, table.to_pydict),
+            "column": (count, lambda: table["number"]),
+            "dates": (count // 10, dates.to_pydict),
+            "from_pydict": (3 * count, lambda: antrieb.Table.from_pydict(columns)),
+            "iterated": (count, lambda: antrieb.Table.from_pydict({"number": range(count)})),
+        }
+        for name, (values, call) in calls.items():
+            with self.subTest(name):
+                looks: list[None] = []
+                before = signal.signal(signal.SIGALRM, lambda *_: looks.append(None))
+                try:
+                    # More often than the conversion checks.
+                    signal.setitimer(signal.ITIMER_REAL, 20e-6, 20e-6)
+                    call()
+                finally:
+                    signal.setitimer(signal.ITIMER_REAL, 0.0)
+                    signal.signal(signal.SIGALRM, before)
+                self.assertGreater(len(looks), values / 4096 / 4)
+
+        def stop(*_: object) -> None:
+            raise KeyboardInterrupt
+
+        before = signal.signal(signal.SIGALRM, stop)
+        try:
+            signal.setitimer(signal.ITIMER_REAL, 1e-3)
+            # No fault of a column.
+            with self.assertRaises(KeyboardInterrupt):
+                while True:
+                    antrieb.Table.from_pydict(columns)
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0.0)
+            signal.signal(signal.SIGALRM, before)
 
     def test_threads_and_tasks_answer_alike(self) -> None:
         expected = antrieb.sweep(ARM, ROWS)

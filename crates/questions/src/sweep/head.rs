@@ -133,7 +133,7 @@ impl Head {
             // Any axis of several serves for the kind of a key.
             let place = self.axis.is_of_several.then(|| self.axis.place.unwrap_or(0));
             let unknown = |(fault, hint)| match fault {
-                Fault::UnknownKey { .. } => (fault, self.meant(heading, known)),
+                Fault::UnknownKey { .. } => self.unknown(heading, known).unwrap_or((fault, self.meant(heading, known))),
                 fault => (fault, hint),
             };
             Holds::Key(Heading::read(heading, counted, place).map_err(unknown)?)
@@ -155,13 +155,14 @@ impl Head {
         Ok(column)
     }
 
+    /// Returns the fault of a heading that is the word for something which the motion of the project does not state.
+    fn unknown(&self, heading: &str, known: Option<&[Written]>) -> Option<Objection> {
+        project::without_cycle(known?, &self.axis.path().unwrap_or_default(), heading)
+    }
+
     /// Returns the heading that an unknown one stands for, else one that the project can have.
     fn meant(&self, heading: &str, known: Option<&[Written]>) -> Option<Hint> {
         let own = self.axis.path().unwrap_or_default();
-        let dwells = known.map(|known| project::times_for_cycle(known, &own, heading)).unwrap_or_default();
-        if !dwells.is_empty() {
-            return Some(Hint::ValidAre(dwells));
-        }
         let stated: Vec<&str> = known.into_iter().flatten().filter_map(|each| each.path.strip_prefix(&own)).collect();
         project::nearest_heading(heading, &stated).or_else(|| Some(Hint::Example(EXAMPLE.to_owned())))
     }
