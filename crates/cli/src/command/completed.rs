@@ -12,7 +12,7 @@ use super::typed::typed;
 use clap::Command;
 use quantities::{Language, Measure, Time};
 use questions::list::ArgumentKind;
-use questions::list::upkeep::day_of_clock;
+use questions::list::upkeep::{day_of_clock, read_date};
 use std::ffi::OsString;
 use std::path::Path;
 use words::{spoken, terminal};
@@ -171,6 +171,21 @@ fn with_one_option(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
             let today = crate::call::days_since_1970().and_then(day_of_clock)?.to_string();
             with(&["--delivered", &today], terminal::option_assumed(&format!("--delivered {today}"), language))
         }
+        // The plan of a delivery to come begins with it.
+        "upkeep" if !is_given(&["today"]) => {
+            let is_date = |word: &&str| called.takers(word, &[]).0.iter().any(|name| name == "--delivered");
+            let delivered = parts.iter().find_map(|part| match part {
+                Part::Option(option, Some(value)) if option.get_long() == Some("delivered") => Some(*value),
+                Part::Bare(_, word) => Some(*word).filter(is_date),
+                _ => None,
+            })?;
+            let read = read_date(delivered, language).ok()?;
+            let today = crate::call::days_since_1970().and_then(day_of_clock)?;
+            if read <= today || super::json_of(arguments) {
+                return None;
+            }
+            with(&["--today", &read.to_string()], terminal::option_assumed(&format!("--today {read}"), language))
+        }
         "plot" if !is_given(&["figure"]) && !takes("--figure") && is_given(&["svg", "png"]) => {
             with(&["--figure", "torque_speed"], terminal::option_assumed(&"--figure torque_speed", language))
         }
@@ -187,11 +202,13 @@ fn with_one_option(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
         // The answers beside the table, in a file that does not exist.
         "sweep" if !is_given(&["out", VARY]) && !super::json_of(arguments) => {
             let is_table = |word: &&str| called.takers(word, &[]).0.iter().any(|name| name == "--table");
-            let table = parts.iter().find_map(|part| match part {
+            let mut tables = parts.iter().filter_map(|part| match part {
                 Part::Option(option, Some(value)) if option.get_long() == Some("table") => Some(*value),
                 Part::Bare(_, word) => Some(*word).filter(is_table),
                 _ => None,
             });
+            // A second one is the file for the answers.
+            let table = tables.next().filter(|_| tables.next().is_none());
             let file = answers_beside(Path::new(table.filter(|table| *table != "-")?))?;
             with(&["--out", &file], terminal::option_assumed(&typed(["--out", &file]), language))
         }

@@ -6,7 +6,7 @@ use super::meant::{Called, Part, Stray, understood};
 use super::own::VARY;
 use super::typed::typed;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use project::{Hint, nearest_name, written};
+use project::{Hint, written};
 use quantities::seen;
 use questions::list::recognises;
 use std::ffi::OsString;
@@ -183,13 +183,6 @@ impl Stray {
         let written = seen(&self.word).into_owned();
         let is_exact = self.options.iter().all(|(_, value)| *value == self.word);
         let texts: Vec<&str> = arguments.iter().skip(called.begin).filter_map(|word| word.to_str()).collect();
-        if let Some(missing) = called.missing_project() {
-            let own: Vec<String> =
-                projects_in(Path::new("")).iter().filter_map(|path| path.to_str().map(str::to_owned)).collect();
-            let names: Vec<&str> = own.iter().map(String::as_str).collect();
-            let hint = if names.is_empty() { UsageHint::Help } else { UsageHint::Words(nearest_name(missing, &names)) };
-            return (Usage::NoFile { written: seen(missing).into_owned() }, Some(hint));
-        }
         if self.options.is_empty() && called.stands_for_project(&self.word, &texts) {
             let project = project_name(&self.word);
             let new = typed(["antrieb", "new", "recording", "--from", &self.word, "--out", &project]);

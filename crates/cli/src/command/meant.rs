@@ -466,15 +466,22 @@ impl<'c> Sorting<'c> {
                 Some((rest.iter().take_while(|(_, word)| !is_negative(word)).count(), false))
             }
             // A title of several words: `new rotary table`.
-            Some(argument) if matches!(argument.kind, ArgumentKind::Word(_)) && !argument.takes(word) => {
+            Some(argument) if matches!(argument.kind, ArgumentKind::Word(_)) => {
                 let title = |count: &usize| -> String {
                     rest.iter().take(*count).map(|(_, word)| *word).collect::<Vec<_>>().join(" ")
                 };
-                let count = (2..=rest.len().min(3)).rev().find(|count| argument.takes(&title(count)));
-                if let Some(count) = count {
+                let count = (1..=rest.len().min(3)).rev().find(|count| argument.takes(&title(count)));
+                // A second word for the same value states nothing else: `new rotary table disc`.
+                let is_same = |count: usize, word: &str| {
+                    let value = argument.word(&title(&count));
+                    value.is_some() && argument.word(word) == value
+                };
+                let all =
+                    |count: usize| count + rest.iter().skip(count).take_while(|(_, word)| is_same(count, word)).count();
+                if let Some((count, all)) = count.map(|count| (count, all(count))).filter(|(_, all)| *all > 1) {
                     self.placed.push((place, vec![title(&count)]));
-                    self.placed.extend(rest.iter().take(count).skip(1).map(|(place, _)| (*place, Vec::new())));
-                    return Some((count, true));
+                    self.placed.extend(rest.iter().take(all).skip(1).map(|(place, _)| (*place, Vec::new())));
+                    return Some((all, true));
                 }
                 called.fits(position, word, &self.given).then_some((1, true))
             }

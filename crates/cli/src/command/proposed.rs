@@ -127,9 +127,26 @@ impl Called<'_> {
         let mut distinct = names.clone();
         distinct.dedup();
         let side_by_side = (distinct.len() > 1).then(|| typed(["antrieb", "size"].into_iter().chain(distinct)));
+        // The file of one project is not that of another.
+        let beside = |word: &OsString, left: usize| -> OsString {
+            let text = word.to_str().unwrap_or_default();
+            let own =
+                self.projects.iter().find(|path| arguments.get(left).is_none_or(|word| path.as_os_str() != *word));
+            let of_another = self.projects.iter().any(|path| {
+                let stem = path.with_extension("");
+                Path::new(text).with_extension("") == stem && !has_ending(text, &[".toml"])
+            });
+            match own.filter(|_| of_another) {
+                Some(own) => match Path::new(text).extension() {
+                    Some(ending) => own.with_extension(ending).into_os_string(),
+                    None => word.clone(),
+                },
+                None => word.clone(),
+            }
+        };
         let without = |left: usize| -> Option<String> {
-            let rest: Vec<OsString> =
-                arguments.iter().enumerate().filter(|(at, _)| *at != left).map(|(_, word)| word.clone()).collect();
+            let others = arguments.iter().enumerate().filter(|(at, _)| *at != left);
+            let rest: Vec<OsString> = others.map(|(_, word)| beside(word, left)).collect();
             filled(&rest, self)
         };
         let first = arguments

@@ -10,7 +10,7 @@ use crate::answer::{CommandAnswer, written};
 use answers::{Fault, Faults};
 use clap::Command;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use project::Hint;
+use project::{Hint, nearest_name};
 use quantities::{Language, seen};
 use questions::list::new::kind_about;
 use std::error::Error as _;
@@ -191,7 +191,15 @@ pub(crate) fn stray(
     language: Language,
 ) -> CommandAnswer {
     let Some(called) = Called::of(arguments, command, language) else { return CommandAnswer::none() };
-    let (usage, hint) = stray.fault(&called, arguments);
+    let (usage, hint) = match called.missing_project() {
+        Some(missing) => {
+            let own = projects_in(Path::new(""));
+            let names: Vec<&str> = own.iter().filter_map(|path| path.to_str()).collect();
+            let hint = if names.is_empty() { UsageHint::Help } else { UsageHint::Words(nearest_name(missing, &names)) };
+            (Usage::NoFile { written: seen(missing).into_owned() }, Some(hint))
+        }
+        None => stray.fault(&called, arguments),
+    };
     let is_call = matches!(hint, Some(UsageHint::Calls(_)));
     let hint = hint.and_then(keep).or(is_call.then_some(UsageHint::Help));
     said((&usage, None), hint.as_slice(), String::new(), (as_json, language))

@@ -215,3 +215,38 @@ fn a_heading_for_a_cycle_that_no_dwell_states_says_why_it_is_refused() {
         assert!(run.code < 2, "{}", run.err);
     }
 }
+
+#[test]
+fn a_workbook_of_two_projects_is_refused_with_a_file_for_each() {
+    let folder = folder();
+    let run = call(folder.path(), "antrieb workbook arm.toml belt.toml");
+    let calls = named(&run.err);
+    assert!(run.code == 2 && calls.len() == 3, "{}", run.err);
+    for proposed in &calls {
+        let done = call(folder.path(), proposed);
+        assert!(done.code < 2, "{proposed}\n{}", done.err);
+    }
+    for file in ["arm.xlsx", "belt.xlsx"] {
+        assert!(folder.path().join(file).is_file(), "{file}\n{calls:?}");
+    }
+}
+
+#[test]
+fn a_plan_of_maintenance_of_a_delivery_to_come_begins_with_it() {
+    let folder = folder();
+    for words in ["2099-03-01", "--delivered 2099-03-01", "01.03.2099"] {
+        let run = call(folder.path(), &format!("antrieb upkeep {A} {words}"));
+        assert!(run.code == 0 && run.err.contains("--today 2099-03-01"), "{words}\n{}", run.err);
+    }
+    let run = call(folder.path(), &format!("antrieb upkeep {A} --delivered 2099-03-01 --json"));
+    assert_eq!(run.code, 2, "{}", run.err);
+}
+
+#[test]
+fn two_words_for_one_kind_are_one() {
+    let folder = folder();
+    for words in ["rotary table disc", "disc turntable", "lift hoist"] {
+        let run = call(folder.path(), &format!("antrieb new {words}"));
+        assert!(run.code == 0 && run.out.contains("format = 1"), "{words}\n{}", run.err);
+    }
+}

@@ -307,6 +307,9 @@ def _body_text(body: sections.Body) -> str:
 HOURS = "hours-per-day"
 """Argument whose unit is its name: `8` and `5.5` are hours."""
 
+SEVERAL = frozenset({"body", "change", "check", "code", "key", "signals"})
+"""Arguments that may have several values."""
+
 WHOLE = frozenset({"cycles", "days", "samples", "seed", "top"})
 """Arguments that are whole numbers."""
 
@@ -363,7 +366,10 @@ def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
             _whole(value, name)
         if value is None or value is False:
             continue
-        found.extend((name, _written(each, name)) for each in each_of(value, name))
+        each = each_of(value, name)
+        if name not in SEVERAL and (len(each) != 1 or each[0] is not value):
+            raise TypeError(f"{argument(name)}: one value is expected, not {type(value).__name__}")
+        found.extend((name, _written(one, name)) for one in each)
     return found
 
 

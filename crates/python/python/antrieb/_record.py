@@ -136,8 +136,9 @@ class Tabular(Record):
 
     def __getitem__(self, key: int | str, /) -> Any:
         own: Any = self
-        if isinstance(key, slice):
-            return own.rows[key]
+        place: Any = key
+        if isinstance(place, slice):
+            return own.rows[place]
         if not isinstance(key, str):
             return own.rows[place_of(key, "a row by its number, or a column by its name")]
         if own.columns._named(key) is not None:

@@ -76,6 +76,15 @@ def calls() -> typing.Iterator[tuple[str, str, typing.Any, dict[str, typing.Any]
                 yield name, key, value, needed
 
 
+def questions_with_several() -> set[str]:
+    """The arguments that may have several values, by the types of the functions."""
+    found: set[str] = {"check"}
+    for name in questions.__all__:
+        parameters = inspect.signature(getattr(questions, name)).parameters if callable(getattr(questions, name)) else {}
+        found |= {key for key, each in parameters.items() if key not in ("text", "old", "new") and "Sequence" in str(each.annotation)}
+    return found
+
+
 class OddCalls(unittest.TestCase):
     """The list walked."""
 
@@ -151,6 +160,19 @@ class OddCalls(unittest.TestCase):
             for key in (1.5, None, [], {}, object(), b"x", (0, 1)):
                 with self.subTest(f"{type(holder).__name__}[{key!r:.20}]"), self.assertRaisesRegex(TypeError, "by its number"):
                     holder[typing.cast(typing.Any, key)]
+
+    def test_an_argument_of_one_value_takes_no_container(self) -> None:
+        several = questions_with_several()
+        count = 0
+        for name in sorted(set(questions.__all__) & set(questions._EXAMPLES)):
+            parameters = inspect.signature(getattr(questions, name)).parameters
+            needed = {key: GIVEN[key] for key, each in parameters.items() if each.default is each.empty}
+            for key in set(parameters) - several - {"text", "old", "new", "file", "folder", "lang", "deadline", "memory", "trace"}:
+                for value in ([], ["a"], ("a",), {"a": 1}):
+                    count += 1
+                    with self.subTest(f"{name}({key}={value!r})"), self.assertRaisesRegex((TypeError, ValueError), key):
+                        getattr(antrieb, name)(**{**needed, key: value})
+        self.assertGreater(count, 200)
 
     def test_a_container_of_one_is_no_number(self) -> None:
         polars = importlib.import_module("polars")
