@@ -109,7 +109,8 @@ fn other_command(command: &str, behind: &[&str], language: Language) -> Option<&
     let stated = || behind.iter().enumerate().filter(|(place, word)| is_code(word) && is_value_of_code(behind, *place));
     let is_of_several = || stated().count() > 1 || behind.iter().filter(|word| **word == "--code").count() > 1;
     // The battery is that of every actuator; the faults of a code are those of the other commands.
-    if let ("battery", [word]) = (command, behind)
+    if let ("battery", [word, rest @ ..]) = (command, behind)
+        && rest.iter().all(|option| *option == "--json" || option.starts_with("--lang="))
         && word.contains('-')
         && word.starts_with(char::is_alphabetic)
         && questions::read_code(word, language).is_err()

@@ -247,7 +247,7 @@ impl Called<'_> {
         let written = word.split('=').next()?;
         let name = written.strip_prefix("--")?;
         let call = calls.first()?.strip_prefix(super::NAME)?.trim_start();
-        let is_called = |entry: &&Entry| call.strip_prefix(&*entry.command()).is_some_and(|rest| rest.starts_with(' '));
+        let is_called = |entry: &&Entry| call.strip_prefix(entry.command()).is_some_and(|rest| rest.starts_with(' '));
         let owner = LIST.iter().copied().filter(is_called).max_by_key(|entry| entry.command().len())?;
         let other = format!("{} {}", super::NAME, owner.command());
         let has = owner.arguments.iter().any(|argument| argument.name == name);

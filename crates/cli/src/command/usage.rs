@@ -38,6 +38,12 @@ pub(crate) fn refused(
     if is_call && hints.is_empty() {
         hints.push(UsageHint::Help);
     }
+    let owner = || {
+        let Usage::UnknownOption { written } = &usage else { return None };
+        let [UsageHint::Calls(calls), ..] = &hints[..] else { return None };
+        Called::of(call.1, call.0, language)?.owner_of_option(written, calls)
+    };
+    let usage = owner().unwrap_or(usage);
     said((&usage, option), &hints, kinds, (as_json, language))
 }
 
@@ -86,11 +92,6 @@ fn refusal(error: &clap::Error, (command, arguments): (&Command, &[OsString]), l
         }
         _ => Vec::new(),
     };
-    let other = || whole.as_ref()?.owner_of_option(unknown.as_deref()?, &calls);
-    if let Some(usage) = other() {
-        let hints = vec![UsageHint::Calls(calls)];
-        return Refusal { usage, option: None, hints, kinds: String::new() };
-    }
     let calls = if calls.is_empty() { of_folder(first_calls(error, arguments)) } else { calls };
     if !calls.is_empty() {
         let hints = vec![UsageHint::Calls(calls)];
