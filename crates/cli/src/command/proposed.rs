@@ -248,14 +248,10 @@ impl Called<'_> {
         let name = written.strip_prefix("--")?;
         let call = calls.first()?.strip_prefix(super::NAME)?.trim_start();
         let is_called = |entry: &&Entry| call.strip_prefix(entry.command()).is_some_and(|rest| rest.starts_with(' '));
-        let owner = LIST.iter().copied().filter(is_called).max_by_key(|entry| entry.command().len())?;
+        let has = |entry: &&Entry| entry.arguments.iter().any(|argument| argument.name == name);
+        let owner = LIST.iter().copied().filter(is_called).find(has)?;
         let other = format!("{} {}", super::NAME, owner.command());
-        let has = owner.arguments.iter().any(|argument| argument.name == name);
-        (other != self.name && has).then(|| Usage::OptionOf {
-            written: written.to_owned(),
-            command: self.name.clone(),
-            other,
-        })
+        (other != self.name).then(|| Usage::OptionOf { written: written.to_owned(), command: self.name.clone(), other })
     }
 
     /// Returns the calls with an option that exists in place of an unknown one: a key of the project, a factor, or the option
