@@ -95,7 +95,8 @@ pub(super) fn dossier(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>
         caption: String::from("caption"),
         alternative_text: String::from("description"),
     };
-    let axis = AxisContent { dossier: found, figures: vec![figure], chapters: Vec::new() };
+    let actuator_kind = answer::actuator_kind(best, case.language).to_owned();
+    let axis = AxisContent { dossier: found, actuator_kind, figures: vec![figure], chapters: Vec::new() };
     let content = Content { language: case.language, axes: vec![axis.clone(), axis] };
     let date = chrono::NaiveDate::from_ymd_opt(2026, 11, 22);
     for full in [false, true] {
