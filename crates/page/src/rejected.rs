@@ -11,7 +11,7 @@ use axis::AxisProject;
 use maud::{Markup, html};
 use quantities::Language;
 use questions::list::check::reserve_unasked;
-use questions::texts::{objection_text, reason, reserve_lines};
+use questions::texts::{change_lines, objection_text, reason, reserve_condition};
 use questions::{Candidate, Objection, ProductId, Progress, Sizing, check};
 use words::{capitalised, page, terms};
 
@@ -108,8 +108,11 @@ pub(crate) fn changes(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -
         // Where only requirements object, reserves of the checks let nothing in.
         if !candidate.judgement_fits() {
             let reserve = reserve_unasked(project, &candidate, progress).ok()?;
-            let lines = reserve_lines(&reserve, &candidate, l).into_iter().flat_map(|(_, parts)| parts);
-            let text = lines.collect::<Vec<_>>().join(&format!(" {} ", words::pages::or(l)));
+            let lines = change_lines(&reserve, &candidate, l).into_iter().flat_map(|(_, parts)| parts);
+            let mut text = lines.collect::<Vec<_>>().join(&format!(" {} ", words::pages::or(l)));
+            if reserve_condition(&reserve, &candidate, l).is_some() {
+                text = format!("{text} ({})", words::report::reserve_partial(l));
+            }
             parts.push(if text.is_empty() { page::no_single_change(l).to_owned() } else { text });
         }
         parts.into_iter().reduce(|one, other| page::and_also(&one, &other, l))

@@ -86,6 +86,13 @@ pub fn read_product(
     }
 }
 
+/// Returns `true` if the text of a project may name catalogue files or describe an actuator, so that a product may have a name.
+pub(crate) fn may_name_products(text: &[u8]) -> bool {
+    const TABLE: &[u8] = b"catalogue";
+    let opens_own = |line: &[u8]| [&b"[actuator]"[..], b"[axis.actuator]"].contains(&line.trim_ascii());
+    text.windows(TABLE.len()).any(|part| part == TABLE) || text.split(|byte| *byte == b'\n').any(opens_own)
+}
+
 /// Returns a code whose fields are joined by underscores with hyphens in their place; `None` for one with hyphens.
 fn with_hyphens(text: &str) -> Option<String> {
     (text.contains('_') && !text.contains('-')).then(|| text.replace('_', "-"))

@@ -374,10 +374,24 @@ pub(crate) fn ambient_least(candidate: &Candidate<'_>) -> Option<ThermodynamicTe
     candidate.parameters.ambient_range.known().map(|range| range.value.0)
 }
 
-/// Returns the largest permissible changes of one quantity each, and for a candidate that does not fit the limits of
-/// the project that would have to change. Each list has its heading.
+/// Returns the largest permissible changes of one quantity each with their condition, and for a candidate that does not fit the
+/// limits of the project that would have to change. Each list has its heading.
 #[must_use]
 pub fn reserve_lines(
+    reserve: &Reserve,
+    candidate: &Candidate<'_>,
+    language: Language,
+) -> Vec<(&'static str, Vec<String>)> {
+    let mut lines = change_lines(reserve, candidate, language);
+    if let Some(condition) = reserve_condition(reserve, candidate, language) {
+        lines.insert(1, (words::terms::not_checked(language), vec![condition]));
+    }
+    lines
+}
+
+/// Returns the lines of [`reserve_lines`] without the condition of the values, each a change with which an actuator fits.
+#[must_use]
+pub fn change_lines(
     reserve: &Reserve,
     candidate: &Candidate<'_>,
     language: Language,
@@ -415,9 +429,6 @@ pub fn reserve_lines(
             (false, false) => terminal::checks_would_pass_with_one_of(language),
         };
         lines.push((head, parts));
-    }
-    if let Some(condition) = reserve_condition(reserve, candidate, language) {
-        lines.push((words::terms::not_checked(language), vec![condition]));
     }
     if let Some(unsought) = &reserve.unsought {
         lines.push((terminal::not_sought(language), vec![unsought_text(unsought, language)]));

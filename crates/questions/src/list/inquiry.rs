@@ -4,6 +4,7 @@ use super::cost::Cost;
 use super::given::Given;
 use super::unanswered::Unanswered;
 use crate::answer::written;
+use crate::codes::may_name_products;
 use crate::progress::Progress;
 use crate::reading::{Unread, read_all_watched};
 use crate::subject::{names, picked};
@@ -33,10 +34,7 @@ impl ReferencedText<'_> {
     /// Returns `true` if the text may name catalogue files or describe an actuator, so that a product may have a name.
     #[must_use]
     pub fn may_name_products(&self) -> bool {
-        const TABLE: &[u8] = b"catalogue";
-        let opens_own = |line: &[u8]| [&b"[actuator]"[..], b"[axis.actuator]"].contains(&line.trim_ascii());
-        self.bytes.windows(TABLE.len()).any(|part| part == TABLE)
-            || self.bytes.split(|byte| *byte == b'\n').any(opens_own)
+        may_name_products(&self.bytes)
     }
 
     /// Returns the names of the products that the text may mean beside the ordering codes.

@@ -2,7 +2,7 @@
 #![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 use super::{Column, Holds, Options, Value};
-use crate::codes::{CodeRefusal, read_code, read_product};
+use crate::codes::{CodeRefusal, read_product};
 use configurator::ProductId;
 use project::{Fault, Heading, Hint, Kind, TabularFault, nearest_name};
 use quantities::{Language, Unit, seen};
@@ -300,8 +300,8 @@ impl Column {
     pub(super) fn product(&self, text: &str, language: Language) -> Result<ProductId, CodeRefusal> {
         let is_name = |name: &str| match &self.holds {
             Holds::Code(Some(names)) => names.iter().any(|each| each == name),
-            // The names of a project with faults are not known; a text of the series of an ordering code is none of them.
-            Holds::Code(None) => !is_of_a_series(name, language),
+            // The names of a refused project with products of its own are not known.
+            Holds::Code(None) => true,
             Holds::Key(_) => false,
         };
         read_product(text, is_name, language)
@@ -354,11 +354,4 @@ impl Column {
         }
         Ok(value)
     }
-}
-/// Returns `true` for a text that begins with the series of an ordering code that is near it.
-fn is_of_a_series(text: &str, language: Language) -> bool {
-    let series = |code: &str| code.split_once('-').map(|(series, _)| series.to_lowercase());
-    let Err(refusal) = read_code(text, language) else { return true };
-    let near = refusal.nearest.first().and_then(|(code, _)| series(&code.to_string()));
-    near.is_some() && near == series(text)
 }

@@ -5,6 +5,7 @@ use super::cells::Decimals;
 use super::meant::MeantHeading;
 use super::template::{Screens, Templates};
 use super::{CODE, CellFault, Cells, Column, Holds, Options, Sweep, TableFaults};
+use crate::codes::may_name_products;
 use crate::list::Unanswered;
 use crate::reading::{Unread, read_all_with};
 use crate::sizing_use::products_of;
@@ -27,7 +28,7 @@ pub struct Head {
     recordings: BTreeSet<String>,
     /// Largest number of codes that a row is judged for.
     codes: usize,
-    /// Names of products that a row may state in place of a code; `None` if the project is refused.
+    /// Names of products that a row may state in place of a code; `None` if they are those of a project that is refused.
     names: Option<Vec<String>>,
     /// `true` if each row chooses among several ratios of a stage.
     chooses_ratio: bool,
@@ -77,7 +78,10 @@ impl Head {
             let own = project.actuator.iter().map(|own| own.id.to_string());
             project.catalogue().names().into_iter().chain(own).collect::<Vec<String>>()
         };
-        let names = projects.as_ref().ok().map(|projects| projects.iter().flat_map(of).collect());
+        let names = match &projects {
+            Ok(projects) => Some(projects.iter().flat_map(of).collect()),
+            Err(_) => (!may_name_products(text.as_bytes())).then(|| options.catalogue.names()),
+        };
         let (axis, refused) = match projects {
             Ok(projects) => of_projects(projects, &options),
             Err(why) => (of_text(known.as_deref().unwrap_or_default(), options.axis.as_deref()), Some(why)),
