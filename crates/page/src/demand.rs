@@ -12,7 +12,7 @@ use maud::{Markup, PreEscaped, html};
 use quantities::unit::WATT;
 use quantities::{Language, Measure, format_number};
 use questions::list::check::reserve_unasked;
-use questions::texts::{demand_figures, reserve_lines};
+use questions::texts::{change_lines, demand_figures, reserve_condition};
 use questions::{Candidate, Progress, power_over_cycle};
 use words::{capitalised, page};
 
@@ -123,8 +123,14 @@ pub(crate) fn reserve(
     };
     html! {
         div id="reserve" {
-            @for (head, parts) in reserve_lines(&reserve, candidate, language) {
-                p.reserve { (capitalised(head)) ": " @for (place, part) in parts.iter().enumerate() { @if place > 0 { "; " } (part) } }
+            @for (line, (head, parts)) in change_lines(&reserve, candidate, language).into_iter().enumerate() {
+                p.reserve {
+                    (capitalised(head)) ": " @for (place, part) in parts.iter().enumerate() { @if place > 0 { "; " } (part) }
+                    // The condition of the values in few words: the picture below stays in sight.
+                    @if let Some(condition) = reserve_condition(&reserve, candidate, language).filter(|_| line == 0) {
+                        " (" span title=(condition) { (words::report::reserve_partial(language)) } ")"
+                    }
+                }
             }
         }
     }
