@@ -220,7 +220,11 @@ pub(crate) fn size_watched<'p, W: StepObserver>(
 ) -> Result<Sizing<'p>, W::Stop> {
     let products = products_of(project);
     let all_complete = complete_count >= products.len();
-    let scope = if all_complete { Scope::All } else { Scope::Ranking };
+    let scope = match rejected {
+        _ if all_complete => Scope::All,
+        Rejected::All => Scope::Ranking,
+        Rejected::None | Rejected::Nearest | Rejected::Reasons => Scope::Deciding,
+    };
     let depth = match rejected {
         Rejected::None | Rejected::Nearest => Depth::UntilRejected,
         Rejected::Reasons => Depth::Failing,
