@@ -55,6 +55,8 @@ pub struct CheckCounts {
     pub not_checked: usize,
     /// Checks shown without a limit of the project.
     pub without_limit: usize,
+    /// Checks made that can reject the actuator.
+    pub deciding: usize,
     /// Requirements with a missing datum.
     pub requirements_open: usize,
 }

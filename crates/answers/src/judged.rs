@@ -167,6 +167,9 @@ pub struct Sizing {
     pub judged: usize,
     /// Number of actuators that fit within every limit, verdict `fits`.
     pub fit: usize,
+    /// Number of actuators among `fit` for which data are missing for every check that can reject them.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub not_evaluated: usize,
     /// Number of further actuators that fit if an estimate holds, verdict `fits_if_estimate`.
     pub fit_if_estimate: usize,
     /// Sum of `fit` and `fit_if_estimate`.
@@ -357,4 +360,9 @@ pub struct Influence {
     pub quantity: String,
     /// Share of the explained variance.
     pub share: Number,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "Serde passes a reference")]
+const fn is_zero(count: &usize) -> bool {
+    *count == 0
 }

@@ -131,6 +131,7 @@ impl Candidate<'_> {
                 Verdict::NotChecked => &mut counts.without_limit,
             };
             *of += 1;
+            counts.deciding += usize::from(check.verdict != Verdict::NotChecked && !check.id.is_recommendation());
         }
         let open = |objection: &&Objection| matches!(objection, Objection::Unmet(unmet) if unmet.is_open());
         let objections_open = self.objections.iter().filter(open).count();

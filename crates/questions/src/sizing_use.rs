@@ -68,6 +68,12 @@ impl<'p> Sizing<'p> {
         [certain, self.fitting - certain]
     }
 
+    /// Returns the number of candidates that count as fitting though no check that can reject them could be made.
+    #[must_use]
+    pub fn not_evaluated(&self) -> usize {
+        self.fitting().iter().filter(|candidate| candidate.counts().are_all_open()).count()
+    }
+
     /// Returns the rejected candidate with the smallest excess, among those that meet the requirements of the project
     /// and are of the right class: an actuator for another voltage or temperature range is no alternative. Where none
     /// fits and each is excluded in this way, the one with the smallest excess that meets the requirements; where a
@@ -207,8 +213,9 @@ pub fn size(project: &AxisProject) -> Sizing<'_> {
     finished(size_watched(project, usize::MAX, Rejected::All, &Unobserved))
 }
 
-/// Judges and ranks like [`size`], but can be cancelled; only the first `complete_count` are judged by every check, the
-/// others by those of a ranking ([`Scope::Ranking`]), and the rejected ones as far as `rejected` states.
+/// Judges and ranks like [`size`], but can be cancelled; only the first `complete_count` are judged by every check. The
+/// others are judged by those of a ranking ([`Scope::Ranking`]), or, where no reasons for rejections are required, by those
+/// that decide the order ([`Scope::Deciding`]); the rejected ones as far as `rejected` states.
 ///
 /// # Errors
 /// If it was cancelled.
@@ -222,8 +229,8 @@ pub(crate) fn size_watched<'p, W: StepObserver>(
     let all_complete = complete_count >= products.len();
     let scope = match rejected {
         _ if all_complete => Scope::All,
-        Rejected::All => Scope::Ranking,
-        Rejected::None | Rejected::Nearest | Rejected::Reasons => Scope::Deciding,
+        Rejected::Reasons | Rejected::All => Scope::Ranking,
+        Rejected::None | Rejected::Nearest => Scope::Deciding,
     };
     let depth = match rejected {
         Rejected::None | Rejected::Nearest => Depth::UntilRejected,

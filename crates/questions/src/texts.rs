@@ -70,7 +70,7 @@ pub fn governing_text(candidate: &Candidate<'_>, language: Language) -> String {
 pub fn fitting_text(sizing: &Sizing<'_>, language: Language) -> String {
     let [fit, if_estimate] = sizing.counts();
     // One without a single check is neither evaluated nor fitting.
-    let open = sizing.fitting().iter().filter(|candidate| candidate.counts().are_all_open()).count();
+    let open = sizing.not_evaluated();
     let judged = terminal::judged(fit.saturating_sub(open), &(sizing.candidates.len() - open), language);
     let judged = match open {
         0 => judged,

@@ -156,6 +156,8 @@ pub struct Counts {
     pub not_checked: usize,
     /// Checks only shown: the project states no limit.
     pub without_limit: usize,
+    /// Checks made that can reject the actuator: all of those made but the recommendations.
+    pub deciding: usize,
     /// Requirements of the project for which a datum is missing.
     pub requirements_open: usize,
     /// Requirements of the project that are not met, and violated rules of the series.
@@ -169,10 +171,10 @@ impl Counts {
         self.passed + self.advised + self.failed + self.not_checked + self.without_limit
     }
 
-    /// Returns `true` if no check could be made: every one of them lacks a datum.
+    /// Returns `true` if no check that can reject the actuator could be made: each lacks a datum.
     #[must_use]
     pub const fn are_all_open(&self) -> bool {
-        self.passed + self.advised + self.failed == 0 && self.not_checked > 0
+        self.deciding == 0
     }
 }
 

@@ -132,6 +132,7 @@ pub fn sizing(
         answer: sizing.answer().map(|answer| answer.id.to_string()),
         judged: sizing.candidates.len(),
         fit: certain,
+        not_evaluated: sizing.not_evaluated(),
         fit_if_estimate: if_estimate,
         fitting: certain + if_estimate,
         rule: ranking_rule(sizing.by_mass, language),

@@ -151,7 +151,9 @@ fn every_answer_says_the_same_of_a_code() {
             rejected += usize::from(!each.fits());
             inside += usize::from(each.fit() == Fit::FitsIfEstimate);
         }
-        let by_reasons = sized(&project, 3, Rejected::Reasons, &Progress::endless()).unwrap().candidates;
+        let by_reasons = sized(&project, 3, Rejected::Reasons, &Progress::endless()).unwrap();
+        let by_reasons_counts = (by_reasons.counts(), by_reasons.not_evaluated());
+        let by_reasons = by_reasons.candidates;
         assert_eq!(by_reasons.len(), sizing.candidates.len());
         for (some, each) in by_reasons.iter().zip(&sizing.candidates) {
             assert_eq!((&some.id, said(some)), (&each.id, said(each)), "{text}");
@@ -159,6 +161,7 @@ fn every_answer_says_the_same_of_a_code() {
             assert_eq!(governing(some), governing(each), "{}\n{text}", each.id);
             left_out += each.judgement.checks.len() - some.judgement.checks.len();
         }
+        assert_eq!(by_reasons_counts, (sizing.counts(), sizing.not_evaluated()), "{text}");
         let [fit, fit_if_estimate] = sizing.counts();
         let of = |fit: Fit| sizing.candidates.iter().filter(|each| each.fit() == fit).count();
         assert_eq!([fit, fit_if_estimate], [of(Fit::Fits), of(Fit::FitsIfEstimate)]);

@@ -5,7 +5,7 @@ use crate::written_product::{Stated, toml, written};
 use axis::{AxisProject, Files};
 use configurator::ProductId;
 use quantities::{Language, Measure};
-use questions::{Fit, check, check_own, embedded_catalogue, read_all, size};
+use questions::{Fit, Progress, Rejected, check, check_own, embedded_catalogue, read_all, size};
 use std::collections::BTreeMap;
 use std::io::{ErrorKind, Read};
 
@@ -242,4 +242,52 @@ fn a_price_with_two_readings_is_a_fault() {
         let found = messages(project("files = [\"a.csv\"]\n", &[("a.csv", file)]));
         assert_eq!(found.len(), usize::from(is_fault), "{price}: {found:?}");
     }
+}
+
+/// However many actuators are listed, and however far the rejected ones are judged: order, numbers and the named actuator are the same,
+/// also for products without some of their data or without any.
+#[test]
+fn the_length_of_the_list_changes_no_number() {
+    let mut state = 7_u64;
+    let mut is_kept = |of: u64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) % 8 < of
+    };
+    // From none of the data to all of them.
+    let thinned: Vec<(String, Vec<Stated>)> = products()
+        .into_iter()
+        .enumerate()
+        .map(|(index, (id, stated))| {
+            let share = index as u64 % 9;
+            let kept = stated.into_iter().map(|(key, value, unit)| (key, value.filter(|_| is_kept(share)), unit));
+            (id, kept.collect())
+        })
+        .collect();
+    let files = [("thin.toml", as_toml(&thinned))];
+    let mut unevaluated = 0;
+    for with_series in ["cha = false\n", ""] {
+        let project = project(&format!("files = [\"thin.toml\"]\n{with_series}"), &files).unwrap();
+        let full = size(&project);
+        unevaluated += full.not_evaluated();
+        for top in [0, 1, 3, 10] {
+            for rejected in [Rejected::None, Rejected::Nearest, Rejected::Reasons, Rejected::All] {
+                let found = questions::list::size::sized(&project, top, rejected, &Progress::endless()).unwrap();
+                let case = format!("{with_series} {top} {rejected:?}");
+                let said = |sizing: &questions::Sizing<'_>| {
+                    (sizing.counts(), sizing.not_evaluated(), questions::texts::fitting_text(sizing, Language::En))
+                };
+                assert_eq!(said(&found), said(&full), "{case}");
+                let fitting = |sizing: &questions::Sizing<'_>| -> Vec<String> {
+                    let text = |each: &questions::Candidate<'_>| questions::texts::verdict_of(each, Language::En);
+                    sizing.fitting().iter().map(|each| format!("{} {}", each.id, text(each))).collect()
+                };
+                assert_eq!(fitting(&found), fitting(&full), "{case}");
+                if rejected != Rejected::None {
+                    let named = |sizing: &questions::Sizing<'_>| sizing.named().map(|each| each.id.clone());
+                    assert_eq!(named(&found), named(&full), "{case}");
+                }
+            }
+        }
+    }
+    assert!(unevaluated > 10, "{unevaluated}");
 }

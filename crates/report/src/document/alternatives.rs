@@ -117,10 +117,7 @@ impl Alternatives {
             each.objections.is_empty() && each.utilisation.is_some() && !of_the_place
         };
         let near = sizing.rejected.iter().filter(is_near);
-        let is_open = |candidate: &answers::Candidate| {
-            candidate.verdict == Fit::Fits && candidate.tightest.is_none() && candidate.open_questions > 0
-        };
-        let open = sizing.ranking.iter().filter(|each| is_open(&each.of.candidate)).count();
+        let open = sizing.not_evaluated;
         Self {
             judged: sizing.judged - open,
             fit: sizing.fit - open,

@@ -263,7 +263,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Format
         own: candidate.code.is_none(),
         verdict: match (candidate.verdict, candidate.open_questions) {
             (Fit::Fits, 0) => "fits",
-            (Fit::Fits, _) if counts.passed + counts.advised == 0 && counts.not_checked > 0 => "not_evaluated",
+            (Fit::Fits, _) if counts.deciding == 0 => "not_evaluated",
             (Fit::Fits, _) => "open",
             (Fit::FitsIfEstimate, _) => "if_estimate",
             (Fit::DoesNotFit, _) => "does_not_fit",
