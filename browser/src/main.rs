@@ -26,8 +26,9 @@ struct Options {
     /// Chromium or Firefox, matching the driver.
     browser: PathBuf,
     driver: PathBuf,
-    /// Folder of the page without a server; `None` runs the scenarios with a server only.
+    /// Folder of the page without a server; `None` runs the scenarios with a server only, and leaves out the long ones.
     site: Option<PathBuf>,
+    /// Parts of the names of the scenarios to run; empty for all.
     names: Vec<String>,
 }
 
@@ -38,6 +39,15 @@ impl Options {
         let site = words.next_if(|word| word.as_os_str() == "--site").and_then(|_| words.next());
         let names = words.map(|word| word.to_string_lossy().into_owned()).collect();
         Some(Self { program, axe, browser, driver, site, names })
+    }
+
+    /// Returns `true` for a scenario to run: a named one, or without names each, the long ones only at night.
+    fn selects(&self, way: &ways::Way) -> bool {
+        if self.names.is_empty() {
+            self.site.is_some() || !way.is_long
+        } else {
+            self.names.iter().any(|name| way.name.contains(name.as_str()))
+        }
     }
 }
 
@@ -70,7 +80,7 @@ fn all(options: &Options) -> Result<usize, String> {
     for shell in std::iter::once(Shell::server(&options.program)?).chain(site) {
         let downloads = tempfile::tempdir().map_err(|error| error.to_string())?;
         for way in ways::ALL.iter().filter(|way| way.concerns(&shell, driver.make)) {
-            if !options.names.is_empty() && !options.names.iter().any(|name| way.name.contains(name.as_str())) {
+            if !options.selects(way) {
                 continue;
             }
             // Each scenario begins in a browser with an empty profile.

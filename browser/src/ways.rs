@@ -24,6 +24,8 @@ pub(crate) struct Way {
     pub(crate) name: &'static str,
     shells: Shells,
     makes: Makes,
+    /// `true` if it runs at night only: it takes long, or compares times, which depend on the load of the machine.
+    pub(crate) is_long: bool,
     pub(crate) go: fn(&OpenPage<'_>) -> Worded,
 }
 
@@ -45,20 +47,25 @@ enum Shells {
 
 impl Way {
     const fn both(name: &'static str, go: fn(&OpenPage<'_>) -> Worded) -> Self {
-        Self { name, shells: Shells::Both, makes: Makes::Any, go }
+        Self { name, shells: Shells::Both, makes: Makes::Any, is_long: false, go }
     }
 
     const fn server(name: &'static str, go: fn(&OpenPage<'_>) -> Worded) -> Self {
-        Self { name, shells: Shells::Server, makes: Makes::Any, go }
+        Self { name, shells: Shells::Server, makes: Makes::Any, is_long: false, go }
     }
 
     const fn site(name: &'static str, go: fn(&OpenPage<'_>) -> Worded) -> Self {
-        Self { name, shells: Shells::Site, makes: Makes::Any, go }
+        Self { name, shells: Shells::Site, makes: Makes::Any, is_long: false, go }
     }
 
     /// Restricts the scenario to Chromium.
     const fn in_chromium(self) -> Self {
         Self { makes: Makes::Chromium, ..self }
+    }
+
+    /// Leaves the scenario to the night.
+    const fn at_night(self) -> Self {
+        Self { is_long: true, ..self }
     }
 
     /// Returns `true` if the scenario runs with a shell in a browser of this make.
@@ -98,16 +105,16 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("across-a-plane", pictures::across_a_plane),
     Way::both("cycle-stays-closed", pictures::a_cycle_stays_closed),
     Way::both("paste-segments", pictures::rows_are_pasted),
-    Way::both("two-runs", pictures::two_runs),
+    Way::both("two-runs", pictures::two_runs).at_night(),
     Way::both("narrow-the-time", pictures::the_time_is_narrowed),
     Way::both("tolerance", pictures::a_tolerance),
     Way::both("tools-of-the-actuator", pictures::the_tools_know_the_actuator),
     Way::both("calculator", pictures::a_calculator),
     Way::both("save-and-open", files::save_and_open),
-    Way::both("two-tabs", files::two_tabs),
-    Way::both("drafts-of-two-tabs", files::drafts_of_two_tabs),
+    Way::both("two-tabs", files::two_tabs).at_night(),
+    Way::both("drafts-of-two-tabs", files::drafts_of_two_tabs).at_night(),
     Way::both("paste-a-recording", files::paste_a_recording),
-    Way::both("recording-through-the-door", door::recording_through_the_door),
+    Way::both("recording-through-the-door", door::recording_through_the_door).at_night(),
     Way::both("recording-along-a-line", door::recording_along_a_line),
     Way::both("hostile-recordings", door::hostile_recordings),
     Way::both("inertia-fills-its-field", axes::inertia_fills_its_field),
@@ -135,7 +142,7 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("faults-and-proposals", frame::faults_and_proposals),
     Way::both("twin", frame::the_twin),
     Way::both("actions", frame::actions_to_an_answer),
-    Way::server("screens", screens::as_they_were).in_chromium(),
+    Way::server("screens", screens::as_they_were).in_chromium().at_night(),
     Way::both("widths", looks::widths),
     Way::both("paper", looks::on_paper).in_chromium(),
     Way::both("first-page", looks::first_page),
@@ -143,7 +150,7 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("phone", looks::a_phone),
     Way::both("theory", looks::a_chapter),
     Way::site("same-answers", same::same_answers),
-    Way::both("times", times::times),
-    Way::server("times-of-a-long-recording", times::a_long_recording),
-    Way::both("times-of-a-table", times::times_of_a_table),
+    Way::both("times", times::times).at_night(),
+    Way::server("times-of-a-long-recording", times::a_long_recording).at_night(),
+    Way::both("times-of-a-table", times::times_of_a_table).at_night(),
 ];

@@ -19,15 +19,24 @@ const SETTINGS: [(&str, &str); 2] = [
     ("hooks.py", include_str!("../schemathesis/hooks.py")),
 ];
 
-/// Maximum duration of the test \[s\].
-const TIME: &str = "90";
+/// Maximum duration of the test in a push and in a night \[s\].
+const TIME: [&str; 2] = ["30", "240"];
 
 /// Check that is switched off: input is free text whose errors are reported with status 422, so the rejection of a text
 /// of the right type is no failure.
 const NOT_ASKED: &str = "positive_data_acceptance";
 
-/// Runs the test.
-pub(crate) fn run(root: &Path) -> Result<(), Error> {
+/// Runs the test for the time of a push.
+pub(crate) fn push(root: &Path) -> Result<(), Error> {
+    run(root, TIME[0])
+}
+
+/// Runs the test for the time of a night.
+pub(crate) fn night(root: &Path) -> Result<(), Error> {
+    run(root, TIME[1])
+}
+
+fn run(root: &Path, seconds: &str) -> Result<(), Error> {
     let tool = ready(root)?;
     let program = samples::built(root)?;
     let desk = Workspace::ask(root)?.target.join("xtask").join("api");
@@ -49,7 +58,7 @@ pub(crate) fn run(root: &Path) -> Result<(), Error> {
     }
     let document = format!("{}/api/v1/openapi.json", address.trim().trim_end_matches('/'));
     let mut command = Command::new(tool);
-    command.args(["run", &document, "--no-color", "--workers", "1", "--seed", "1", "--max-time", TIME]);
+    command.args(["run", &document, "--no-color", "--workers", "1", "--seed", "1", "--max-time", seconds]);
     command.args(["--phases", "coverage,fuzzing", "--exclude-checks", NOT_ASKED, "--generation-database", "none"]);
     // The tool runs next to its settings, which refer to the hints about text bodies; its files stay out of the tree.
     for (name, text) in SETTINGS {

@@ -48,7 +48,7 @@ pub(crate) fn both(root: &Path) -> Result<(), Error> {
     with(root, &FIREFOX, &[])
 }
 
-/// Runs the step of a push: every test with a server, the one built with the tests.
+/// Runs the step of a push: the tests with a server but the long ones, with the program built with the tests.
 pub(crate) fn served(root: &Path) -> Result<(), Error> {
     let browser = Browser::find(root, &CHROMIUM)?;
     must_succeed(&mut browser.command(root, &program(root, "antrieb")?)?)

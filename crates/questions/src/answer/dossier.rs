@@ -45,7 +45,8 @@ pub fn dossier(
     let mut judgement = judgement(project, chosen, found, assessment, language);
     judgement.candidate.checks =
         by_importance(&chosen.judgement.checks).into_iter().map(|each| check(each, language)).collect();
-    let Counts { passed, advised, failed, not_checked, without_limit, deciding, requirements_open, .. } = chosen.counts();
+    let Counts { passed, advised, failed, not_checked, without_limit, deciding, requirements_open, .. } =
+        chosen.counts();
     let code = chosen.id.order_code();
     let sheet = code.map(|code| data_sheet(code, chosen.parameters.without_kty, language)).unwrap_or_default();
     let errata_of_k_tm = chosen.parameters.torque_constant_motor.known().map_or(&[][..], |known| known.errata);
