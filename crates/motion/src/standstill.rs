@@ -174,9 +174,18 @@ pub(crate) fn rests(
     differentiated: bool,
 ) -> Option<Vec<Range<usize>>> {
     let most = speed.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
-    let position_step = position.map_or(0.0, |position| Grid::of(position).step);
-    let speed_step = if differentiated { position_step / (2.0 * median_interval(time)) } else { Grid::of(speed).step };
-    let floor = ROUNDED * most;
+    let position_grid = position.map(Grid::of);
+    let position_step = position_grid.map_or(0.0, |grid| grid.step);
+    let (speed_step, rounded) = if differentiated {
+        let twice = 2.0 * median_interval(time);
+        (position_step / twice, position_grid.map_or(0.0, |grid| grid.rounded) / twice)
+    } else {
+        let grid = Grid::of(speed);
+        (grid.step, grid.rounded)
+    };
+    let rounding = rounded.max(ROUNDED * most);
+    let nil = if speed_step > 2.0 * rounding { rounding } else { 0.0 };
+    let floor = nil.max(ROUNDED * most);
     let slowest = NOISE_MOST * most;
     let small = (SLOW * most).max((2.0 * speed_step).min(slowest));
     if !speed.iter().any(|speed| *speed != 0.0 && speed.abs() <= slowest) {
@@ -186,7 +195,7 @@ pub(crate) fn rests(
         Some(position) => range(position.iter().copied()),
         None => range(travelled(time, speed)),
     };
-    let stretch = Stretch { time, speed, position, position_step, span, floor, differentiated };
+    let stretch = Stretch { time, speed, position, position_step, span, nil, floor, differentiated };
     let mut found: Vec<Range<usize>> = Vec::new();
     let mut open: Vec<Range<usize>> = std::iter::once(0..speed.len()).collect();
     let mut level = slowest;
@@ -231,6 +240,9 @@ struct Stretch<'s> {
     position: Option<&'s [f64]>,
     position_step: f64,
     span: f64,
+    /// Largest speed that is zero up to the rounding of the column's steps; zero if it has none.
+    nil: f64,
+    /// Largest speed that is a rounding error.
     floor: f64,
     differentiated: bool,
 }
@@ -239,12 +251,19 @@ impl Stretch<'_> {
     /// Returns the bound of the noise in a run, from the median of the speeds other than zero.
     fn noise(&self, run: &Range<usize>) -> f64 {
         let sizes = self.speed.get(run.clone()).unwrap_or_default().iter().map(|speed| speed.abs());
-        let mut sizes: Vec<f64> = sizes.filter(|size| *size > 0.0).collect();
+        let mut sizes: Vec<f64> = sizes.filter(|size| *size > self.nil).collect();
         let middle = sizes.len() / 2;
         if middle >= sizes.len() {
             return 0.0;
         }
         ABOVE_MEDIAN * *sizes.select_nth_unstable_by(middle, f64::total_cmp).1
+    }
+
+    /// Returns an iterator over the speeds other than zero. In a column with steps, of an encoder or of a ramp of equal
+    /// steps, rounding errors are zeros: they do not show that the lowest step is noise.
+    fn moving<'a>(&self, speed: &'a [f64]) -> impl Iterator<Item = &'a f64> + use<'a> {
+        let nil = self.nil;
+        speed.iter().filter(move |speed| speed.abs() > nil)
     }
 
     /// Returns the range of positions; beside recorded speeds without their own noise, which the speeds do not follow.
@@ -262,7 +281,7 @@ impl Stretch<'_> {
         if is_cut {
             return false;
         }
-        let moving = || speed.iter().filter(|speed| **speed != 0.0);
+        let moving = || self.moving(speed);
         let count = moving().count();
         if count < REST_LEAST {
             return false;
@@ -312,7 +331,7 @@ impl Stretch<'_> {
     fn noisy(&self, run: &Range<usize>) -> Option<Range<usize>> {
         let run = self.between_moves(run, true)?;
         let (time, speed) = (self.time.get(run.clone())?, self.speed.get(run.clone())?);
-        let moving = || speed.iter().filter(|speed| **speed != 0.0);
+        let moving = || self.moving(speed);
         let count = moving().count();
         if count < REST_LEAST {
             return None;

@@ -52,6 +52,48 @@ fn noise_at_rest_is_rest() {
     }
 }
 
+/// Ramps of equal steps, whose speeds are a few levels, keep each of their samples beside noise at rest of any size that is rest.
+#[test]
+fn a_ramp_of_equal_steps_keeps_its_first_sample() {
+    let mut noise = Noise(53);
+    for h in [5e-4, 1e-3, 2e-3, 4e-3, 5e-3, 1e-2] {
+        for steps in [2_i32, 5, 20, 25, 30, 100] {
+            for size in [1e-17, 1e-15, 1e-13, 1e-11, 1e-10, 1e-9, 1e-8, 1e-6] {
+                let (even, pause) = (steps, 50);
+                let ramp = |k: i32| k.min(2 * steps + even - k).clamp(0, steps);
+                let length = 2 * steps + even;
+                let move_and_rest = |k: i32| if k < length + pause { ramp(k) } else { -ramp(k - length - pause) };
+                let count = 2 * (length + pause);
+                let speed: Vec<f64> = (0..count).map(|k| f64::from(move_and_rest(k)) / f64::from(steps)).collect();
+                let time: Vec<f64> = (0..count).map(|k| f64::from(k) * h).collect();
+                let mut position = vec![0.0];
+                for k in 1..speed.len() {
+                    position.push(position[k - 1] + 0.5 * (speed[k] + speed[k - 1]) * h);
+                }
+                for kind in 0..3 {
+                    let mut noisy: Vec<f64> = speed.clone();
+                    let last = noisy.len() - 1;
+                    for (k, w) in noisy.iter_mut().enumerate().filter(|(k, w)| **w == 0.0 && (1..last).contains(k)) {
+                        *w = size
+                            * match kind {
+                                0 => noise.normal(),
+                                1 => noise.next(),
+                                _ => [1.0, -1.0][k % 2],
+                            };
+                    }
+                    for position in [None, Some(position.as_slice())] {
+                        let found = recorded(samples(&time, position, Some(&noisy)));
+                        let kept = found.speed_rad_s().iter().zip(&speed).filter(|(_, speed)| **speed != 0.0);
+                        let lost = kept.filter(|(found, _)| **found == 0.0).count();
+                        let case = format!("h {h}, {steps} steps, noise {size:e} {kind}, {}", position.is_some());
+                        assert_eq!(lost, 0, "{case}");
+                    }
+                }
+            }
+        }
+    }
+}
+
 /// A recording without noise is unchanged, however finely it is sampled and coarsely its positions are rounded.
 #[test]
 fn a_recording_without_noise_stays_as_it_is() {
