@@ -224,6 +224,8 @@ pub(crate) struct Frames<R> {
     source: Pushed<R>,
     frames: FrameDecoder,
     is_open: bool,
+    /// Bytes of the current frame that were read.
+    read: u64,
 }
 
 /// A source with a byte put back in front.
@@ -247,7 +249,7 @@ impl<R: Read> Read for Pushed<R> {
 
 impl<R: Read> Frames<R> {
     pub(crate) fn of(source: R) -> Self {
-        Self { source: Pushed { byte: None, source }, frames: FrameDecoder::new(), is_open: false }
+        Self { source: Pushed { byte: None, source }, frames: FrameDecoder::new(), is_open: false, read: 0 }
     }
 
     /// Begins the next frame with content; returns `false` at the end.
@@ -261,10 +263,28 @@ impl<R: Read> Frames<R> {
                 Err(FrameDecoderError::ReadFrameHeaderError(ReadFrameHeaderError::SkipFrame { length, .. })) => {
                     let _ = std::io::copy(&mut self.source.by_ref().take(length.into()), &mut std::io::sink())?;
                 }
-                Err(error) => return Err(std::io::Error::other(error)),
+                Err(error) => return Err(damage(&error)),
             }
         }
         Ok(false)
+    }
+
+    /// Compares the finished frame with the checksum and the size that it states.
+    fn check(&self) -> Result<()> {
+        let stated = self.frames.get_checksum_from_data();
+        let is_whole = stated.is_none() || stated == self.frames.get_calculated_checksum();
+        let size = self.frames.content_size();
+        if is_whole && (size == 0 || size == self.read) { Ok(()) } else { Err(ErrorKind::InvalidData.into()) }
+    }
+}
+
+/// Returns the kind of a fault of a packed file, without the words of the library: the file ends too early, or its data
+/// are damaged. Errors of the source stay as they are.
+fn damage(error: &(dyn std::error::Error + 'static)) -> std::io::Error {
+    let mut causes = std::iter::successors(Some(error), |error| error.source());
+    match causes.find_map(|cause| cause.downcast_ref::<std::io::Error>()) {
+        Some(cause) => cause.kind().into(),
+        None => ErrorKind::InvalidData.into(),
     }
 }
 
@@ -273,18 +293,21 @@ impl<R: Read> Read for Frames<R> {
         while !room.is_empty() {
             if !self.is_open {
                 self.is_open = self.begin()?;
+                self.read = 0;
                 if !self.is_open {
                     return Ok(0);
                 }
             }
             while self.frames.can_collect() < room.len() && !self.frames.is_finished() {
                 let wanted = BlockDecodingStrategy::UptoBytes(room.len() - self.frames.can_collect());
-                let _ = self.frames.decode_blocks(&mut self.source, wanted).map_err(std::io::Error::other)?;
+                let _ = self.frames.decode_blocks(&mut self.source, wanted).map_err(|error| damage(&error))?;
             }
             let count = self.frames.read(room)?;
             if count > 0 {
+                self.read += count as u64;
                 return Ok(count);
             }
+            self.check()?;
             self.is_open = false;
         }
         Ok(0)
@@ -355,6 +378,33 @@ mod tests {
         wrong[checksum] ^= 1;
         assert_eq!(read(wrong), Err(ErrorKind::InvalidData));
         assert_eq!(read(whole[..whole.len() - 3].to_vec()), Err(ErrorKind::UnexpectedEof));
+    }
+
+    /// A bit that flips anywhere in a frame with a checksum is damage, never another text; so is a frame that ends early.
+    #[test]
+    fn no_flipped_bit_gives_another_text() {
+        let rows: String = (0..400).map(|row| format!("{row},{}\n", (row * 37) % 101)).collect();
+        let mut packer = zstd::bulk::Compressor::new(3).unwrap();
+        packer.set_parameter(zstd::zstd_safe::CParameter::ChecksumFlag(true)).unwrap();
+        let whole = packer.compress(rows.as_bytes()).unwrap();
+        let read = |bytes: Vec<u8>| {
+            let mut text = Vec::new();
+            Frames::of(Cursor::new(bytes)).read_to_end(&mut text).map(|_| text).map_err(|error| error.kind())
+        };
+        assert_eq!(read(whole.clone()).as_deref(), Ok(rows.as_bytes()));
+        // The first bytes say what the file is; a frame that may be skipped is none with content.
+        for place in 4..whole.len() {
+            for bit in 0..8 {
+                let mut wrong = whole.clone();
+                wrong[place] ^= 1 << bit;
+                let found = read(wrong);
+                assert!(found.is_err() || found.as_deref() == Ok(rows.as_bytes()), "byte {place}, bit {bit}");
+            }
+        }
+        for end in 5..whole.len() {
+            let found = read(whole[..end].to_vec());
+            assert!(matches!(found, Err(ErrorKind::UnexpectedEof | ErrorKind::InvalidData)), "{end}: {found:?}");
+        }
     }
 
     #[test]

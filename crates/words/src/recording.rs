@@ -9,7 +9,7 @@ mod modulo;
 mod scaled;
 mod tables;
 
-use crate::pick;
+use crate::{file_trouble, pick};
 use crate::texts::said;
 use advice::{advised, below_rows};
 use beyond::{beyond, damage};
@@ -50,13 +50,14 @@ fn ragged(line: u64, found: usize, expected: usize, language: Language) -> Strin
 pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String>) {
     let q = |text: &str| quoted(text, language);
     match fault {
-        Fault::ReadFailed { line, kind } => (
-            said!(language =>
-                "line {line}: the rest of the file cannot be read: {kind}"
-                | "Zeile {line}: der Rest der Datei ist nicht lesbar: {kind}"
-            ),
-            None,
-        ),
+        Fault::ReadFailed { line, kind } => {
+            let why = file_trouble(&(*kind).into(), language);
+            let text = said!(language =>
+                "line {line}: the rest of the file cannot be read: {why}"
+                | "Zeile {line}: der Rest der Datei ist nicht lesbar: {why}"
+            );
+            (text, None)
+        }
         Fault::NoHeader => (
             said!(language => "the file has no header line" | "die Datei hat keine Kopfzeile"),
             Some(said!(language =>

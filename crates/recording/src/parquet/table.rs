@@ -334,7 +334,7 @@ fn value_kind(column: &ParquetColumn) -> (ValueKind, Option<Holds>) {
     }
     match kind(column).filter(|holds| holds.time.is_none()) {
         Some(holds) => {
-            let is_float = holds.scale.is_some() || matches!(column.physical, Type::FLOAT | Type::DOUBLE);
+            let is_float = holds.scale.is_some() || !matches!(column.physical, Type::INT32 | Type::INT64);
             let is_long = column.physical == Type::INT64;
             let kind = match (is_float, holds.unsigned) {
                 (true, _) => ValueKind::Float,

@@ -101,6 +101,28 @@ fn every_kind_of_column_is_read_in_parts() {
     }
 }
 
+/// Half floats are numbers in a table as they are in a recording; no cell of a type that is read is lost.
+#[test]
+fn half_floats_are_numbers_in_a_table() {
+    let schema = "message s { optional fixed_len_byte_array(2) h (FLOAT16); required double x; }";
+    let schema = Arc::new(parse_message_type(schema).unwrap());
+    let mut writer = SerializedFileWriter::new(Vec::new(), schema, Arc::default()).unwrap();
+    let mut rows = writer.next_row_group().unwrap();
+    let mut column = rows.next_column().unwrap().unwrap();
+    // 0.5, 5, −2 with an empty cell.
+    let halves = [0x3800_u16, 0x4500, 0xc000].map(|bits| bits.to_le_bytes().to_vec().into());
+    let _ = column.typed::<FixedLenByteArrayType>().write_batch(&halves, Some(&[1, 1, 0, 1]), None).unwrap();
+    column.close().unwrap();
+    let mut column = rows.next_column().unwrap().unwrap();
+    let _ = column.typed::<DoubleType>().write_batch(&[1.0, 2.0, 3.0, 4.0], None, None).unwrap();
+    column.close().unwrap();
+    let _ = rows.close().unwrap();
+    let mut table = open(writer.into_inner().unwrap()).unwrap();
+    assert_eq!(table.columns()[0].kind, ValueKind::Float);
+    let found = table.next(10).unwrap().unwrap();
+    assert_eq!(found[0], TableValues::Floats(vec![Some(0.5), Some(5.0), None, Some(-2.0)]));
+}
+
 /// The parts of a table are those of its rows, whatever the groups of the file: all are full but the last, and together they are
 /// the whole.
 #[test]

@@ -11,7 +11,8 @@ use recording::{Fault, Foreign, Limit};
 pub fn table_text(found: &Fault, language: Language) -> String {
     match found {
         Fault::ReadFailed { kind, .. } => {
-            said!(language => "the table cannot be read: {kind}" | "die Tabelle ist nicht lesbar: {kind}")
+            let why = crate::file_trouble(&(*kind).into(), language);
+            said!(language => "the table cannot be read: {why}" | "die Tabelle ist nicht lesbar: {why}")
         }
         Fault::Beyond { limit: Limit::Memory, found, most } => {
             let (found, most) = (found.div_ceil(1 << 20), most.div_ceil(1 << 20));
