@@ -3,9 +3,11 @@
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, Rejected, size_watched};
 use axis::{AxisProject, Gearing};
+use configurator::ProductId;
 use quantities::Unit;
 use quantities::unit::ONE;
 use sizing::{Check, CheckId, Fit, Proviso, Verdict};
+use std::collections::HashMap;
 
 /// A value of the gearing, or of a counterweight, with which an actuator fits, judged as displayed.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +27,8 @@ pub struct GearingProposal {
     pub fit: Fit,
     /// Conditions of this verdict.
     pub proviso: Proviso,
+    /// `true` if the loads on the flange must be stated anew: those behind an added stage are others.
+    pub changes_flange_loads: bool,
 }
 
 impl GearingProposal {
@@ -139,21 +143,39 @@ pub fn gearing_proposals(project: &AxisProject, progress: &Progress) -> Result<V
     if here.best.is_some() {
         return Ok(Vec::new());
     }
+    let adds_stage = project.axis.mechanism.stage.is_none();
+    let excluded = if adds_stage { excluded_by_a_check(project, progress)? } else { Failing::new() };
+    let none = Failing::new();
     let [least, most] = STEPS;
     let fine = (EFFORT / project.axis.instants().max(1)).clamp(least, most);
     let mut found = Vec::new();
-    let mut seek = |path: &str, is_stated, stated, unit, with: &dyn Fn(f64) -> Option<AxisProject>| {
-        let ranked =
-            |si: f64| with(si).map_or_else(|| Ok(RankedAxis::default()), |project| RankedAxis::of(&project, progress));
+    let mut seek = |path: &str, is_stated: bool, stated, unit, with: &dyn Fn(f64) -> Option<AxisProject>| {
+        let failing = if is_stated { &none } else { &excluded };
+        let ranked = |si: f64| {
+            with(si).map_or_else(
+                || Ok(RankedAxis::default()),
+                |project| RankedAxis::unless_unchecked(&project, failing, progress),
+            )
+        };
         if let Some((si, (code, fit, proviso))) = nearest(&ranked, stated, &here, unit, fine)? {
-            found.push(GearingProposal { path: path.to_owned(), is_stated, si, unit, code, fit, proviso });
+            let changes_flange_loads = !is_stated && project.axis.bearing.is_some();
+            found.push(GearingProposal {
+                path: path.to_owned(),
+                is_stated,
+                si,
+                unit,
+                code,
+                fit,
+                proviso,
+                changes_flange_loads,
+            });
         }
         Ok::<_, Refusal>(())
     };
     for Gearing { path, si, unit } in project.gearings() {
         seek(&path, true, si, unit, &|value| project.with_value(&path, value))?;
     }
-    if project.axis.mechanism.stage.is_none() {
+    if adds_stage {
         seek(STAGE, false, 1.0, &ONE, &|ratio| project.with_stage(ratio))?;
     }
     if let Some((Gearing { path, si, unit }, balanced)) = project.counterweight() {
@@ -163,7 +185,17 @@ pub fn gearing_proposals(project: &AxisProject, progress: &Progress) -> Result<V
                 .map_or_else(|| Ok(RankedAxis::default()), |other| RankedAxis::of(&other, progress))
         };
         if let Some((mass, (code, fit, proviso))) = nearest_mass(&ranked, si, 1.5 * balanced, unit)? {
-            found.push(GearingProposal { path, is_stated: si > 0.0, si: mass, unit, code, fit, proviso });
+            let is_stated = si > 0.0;
+            found.push(GearingProposal {
+                path,
+                is_stated,
+                si: mass,
+                unit,
+                code,
+                fit,
+                proviso,
+                changes_flange_loads: false,
+            });
         }
     }
     Ok(found)
@@ -243,13 +275,39 @@ impl Default for RankedAxis {
     }
 }
 
+/// The failing checks of each rejected actuator.
+type Failing = HashMap<ProductId, Vec<CheckId>>;
+
+/// Returns the failing checks of every actuator that the catalogue offers for an axis.
+fn excluded_by_a_check(project: &AxisProject, progress: &Progress) -> Result<Failing, Refusal> {
+    let sizing = size_watched(project, 0, Rejected::Reasons, progress)?;
+    let failing = |candidate: &Candidate<'_>| {
+        let checks = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail);
+        (candidate.id.clone(), checks.map(|check| check.id).collect())
+    };
+    Ok(sizing.rejected().iter().map(failing).collect())
+}
+
 impl RankedAxis {
     pub(crate) fn of(project: &AxisProject, progress: &Progress) -> Result<Self, Refusal> {
+        Self::unless_unchecked(project, &Failing::new(), progress)
+    }
+
+    /// Ranks the catalogue; an actuator does not fit where a check that fails without the change cannot be made with it: the
+    /// loads on the flange behind an additional stage are not known.
+    fn unless_unchecked(project: &AxisProject, failing: &Failing, progress: &Progress) -> Result<Self, Refusal> {
         let sizing = size_watched(project, 0, Rejected::None, progress)?;
         let is_met = |candidate: &&Candidate<'_>| candidate.objections.is_empty();
         let farther = sizing.candidates.iter().filter(is_met).filter_map(farther).reduce(f64::min);
+        let is_checked = |candidate: &&Candidate<'_>| {
+            let is_made = |id: &CheckId| {
+                candidate.judgement.checks.of(*id).is_none_or(|check| check.verdict != Verdict::NotChecked)
+            };
+            failing.get(&candidate.id).is_none_or(|failing| failing.iter().all(is_made))
+        };
+        let best = sizing.fitting().iter().find(is_checked);
         Ok(Self {
-            best: sizing.answer().map(|best| (best.id.to_string(), best.fit(), best.judgement.proviso())),
+            best: best.map(|best| (best.id.to_string(), best.fit(), best.judgement.proviso())),
             farther: farther.unwrap_or(f64::INFINITY),
         })
     }

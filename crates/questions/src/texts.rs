@@ -457,7 +457,7 @@ pub fn reserve_condition(reserve: &Reserve, candidate: &Candidate<'_>, language:
 pub fn mend_text(mend: &GearingProposal, language: Language) -> String {
     let value = || unpadded(mend.unit.from_si(mend.si), 5, language);
     let what = if mend.adds_stage() {
-        words::stage_by_its_keys(mend.unit.from_si(mend.si), language)
+        words::stage_by_its_keys(mend.unit.from_si(mend.si), mend.changes_flange_loads, language)
     } else {
         format!("{} {}", mend.path, with_symbol(&value(), mend.unit.symbol_in(language)))
     };

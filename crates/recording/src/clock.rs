@@ -170,7 +170,8 @@ fn read(text: &str) -> Option<Stamp> {
         [hour, minute, second] => (number(hour, 2)?, number(minute, 2)?, *second),
         // Spreadsheets show times as `mm:ss,0`; without a fraction it may be hours and minutes.
         [minute, second] if date.is_none() && afternoon.is_none() && second.contains(['.', ',']) => {
-            (0, number(minute, 2)?, *second)
+            // A stopwatch counts the minutes beyond an hour.
+            (0, number(minute, 4)?, *second)
         }
         _ => return None,
     };
@@ -196,7 +197,7 @@ fn read(text: &str) -> Option<Stamp> {
         None => hour,
     };
     // A leap second counts as the first second of the next minute.
-    if hour > 23 || minute > 59 || whole > 60 {
+    if hour > 23 || minute > 59 && parts.len() > 2 || whole > 60 {
         return None;
     }
     let seconds = 3600 * hour + 60 * minute + whole - offset;
@@ -315,6 +316,8 @@ mod tests {
             ("1999-12-31 00:00:00", "2000-01-01 00:00:00", 86_400.0),
             ("10:30:20.000", "10:30:20.005", 0.005),
             ("23:59:59.9", "00:00:00.1", 0.2),
+            ("59:59.995", "60:00.000", 0.005),
+            ("99:59.5", "100:00,5", 1.0),
             ("9:00:00", "10:00:00", 3600.0),
             ("0 days 00:00:00.002000", "1 days 00:00:00.004000", 86_400.002),
             ("-1 days +23:59:59.998", "0 days 00:00:00", 0.002),

@@ -286,6 +286,10 @@ pub(crate) fn advance(lines: &mut Ahead<impl Read>, faults: &mut FaultCollector)
     lines.advance().map_err(|fault| faults.push(fault)).ok()
 }
 
+/// Number of lines that may be a footer below any number of rows, and the number of rows for each further one.
+const FOOTER_LINES: u64 = 8;
+const FOOTER_SHARE: u64 = 20;
+
 /// The columns in use, time first.
 #[derive(Default)]
 struct Wanted {
@@ -310,6 +314,8 @@ struct Wanted {
     thousands: Thousands,
     /// Faults of the lines since the last row that are no rows.
     no_rows: Vec<Fault>,
+    /// Number of lines since the last row that are no rows, those already reported included.
+    no_rows_since: u64,
     /// Fault of the first of the rows without content before the current line.
     blank: Option<Fault>,
     /// Times have separators of thousands.
@@ -325,6 +331,7 @@ impl Wanted {
             return;
         }
         gather.time_failed();
+        self.no_rows_since += 1;
         self.no_rows.push(fault);
         if self.no_rows.len() > LINES_MOST {
             self.follow(faults);
@@ -336,14 +343,15 @@ impl Wanted {
         self.no_rows.drain(..).for_each(|fault| faults.push(fault));
     }
 
-    /// Reports the lines that are no rows at the end of the file.
+    /// Reports the lines that are no rows at the end of the file: some few below many rows are a footer.
     fn end(&mut self, gather: &Gather<'_>, faults: &mut FaultCollector) {
         // The last row that could be read is not the last one of the file.
         if self.has_grouped_times {
             self.no_rows.clear();
         }
         let count = self.no_rows.len() as u64;
-        if let Some(last) = gather.last_time()
+        let is_footer = self.no_rows_since <= FOOTER_LINES.max(gather.rows_read() / FOOTER_SHARE);
+        if let Some(last) = gather.last_time().filter(|_| is_footer)
             && let Some(first) = self.no_rows.first_mut()
         {
             *first = Fault::BelowRows { first: Box::new(first.clone()), count, last };
@@ -549,6 +557,7 @@ fn row(
     }
     if tick.is_ok() {
         wanted.no_rows.drain(..).for_each(|fault| faults.push(fault));
+        wanted.no_rows_since = 0;
     }
     match tick {
         Err(bad) => {

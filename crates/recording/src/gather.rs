@@ -150,6 +150,11 @@ impl<'m> Gather<'m> {
         faults.advise_order(self.order.of_backwards(self.unit, |number| self.place(number)), self.order.of_same());
     }
 
+    /// Returns the number of rows with a time so far.
+    pub(crate) fn rows_read(&self) -> u64 {
+        self.before + self.after + self.time_s.len() as u64
+    }
+
     /// Returns the time of the last row that has one.
     pub(crate) fn last_time(&self) -> Option<Stamp> {
         self.last.map(|(tick, _)| Stamp { value: short(tick.value()), unit: self.unit })

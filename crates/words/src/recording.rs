@@ -9,8 +9,8 @@ mod modulo;
 mod scaled;
 mod tables;
 
-use crate::{file_trouble, pick};
 use crate::texts::said;
+use crate::{file_trouble, pick};
 use advice::{advised, below_rows};
 use beyond::{beyond, damage};
 use counter::counter;

@@ -10,11 +10,16 @@ use quantities::{Language, format_significant};
 /// Largest number of digits of a proposed ratio.
 const RATIO_DIGITS: usize = 5;
 
-/// Describes a stage to add by the keys that state it, whose numbers have a decimal point in every language.
+/// Describes a stage to add by the keys that state it, whose numbers have a decimal point in every language; where loads on
+/// the flange must be stated anew, these keys do not suffice.
 #[must_use]
-pub fn stage_by_its_keys(ratio: f64, language: Language) -> String {
+pub fn stage_by_its_keys(ratio: f64, changes_flange_loads: bool, language: Language) -> String {
     let [shown, stated] = [language, Language::En].map(|language| unpadded(ratio, RATIO_DIGITS, language));
-    terminal::a_stage_by_its_keys(&shown, &stated, language)
+    if changes_flange_loads {
+        terminal::a_stage_with_new_loads(&shown, language)
+    } else {
+        terminal::a_stage_by_its_keys(&shown, &stated, language)
+    }
 }
 
 /// Returns the answers for the ratios of a stage, in order; empty for a stage with one ratio.

@@ -144,6 +144,9 @@ texts! {
     a_stage_by_its_keys(ratio, number) =
         "stage with ratio {ratio} (--set stage.kind=gear --set stage.ratio={number})"
         | "Zwischenstufe mit Übersetzung {ratio} (--set stage.kind=gear --set stage.ratio={number})";
+    a_stage_with_new_loads(ratio) =
+        "stage with ratio {ratio}; the loads on the flange behind it are to be stated anew"
+        | "Zwischenstufe mit Übersetzung {ratio}; die Lasten auf den Flansch sind mit ihr neu anzugeben";
     a_stage(ratio) = "stage with ratio {ratio}" | "Zwischenstufe mit Übersetzung {ratio}";
     would_fit_with_one_of = "would fit if one of these changed" | "wäre geeignet, wenn eine der folgenden Größen geändert wird";
     checks_would_pass_with_one_of = "all checks would pass if one of these changed" | "alle Nachweise wären erfüllt, wenn eine der folgenden Größen geändert wird";

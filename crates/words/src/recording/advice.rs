@@ -129,6 +129,23 @@ mod tests {
         assert_eq!(hint.as_deref(), Some("delete what follows the last row, or state the end: to = \"4 ms\""));
     }
 
+    /// Most of a file is no footer: no advice cuts it off.
+    #[test]
+    fn a_footer_is_short() {
+        for (rows, below) in [(1, 9), (20, 20), (101, 80), (101, 180), (300, 101)] {
+            let of = |range: std::ops::Range<u32>, cell: &str| -> String {
+                range.map(|k| format!("{};{cell}\n", k * 2)).collect()
+            };
+            let text = format!("t [ms];q [deg]\n{}{}", of(0..rows, "1"), of(rows..rows + below, "1;2"));
+            for (message, hint) in found(&text, Language::En) {
+                let all = format!("{message} {hint:?}");
+                assert!(!all.contains("footer") && !all.contains("to = "), "{rows} {below}: {all}");
+            }
+        }
+        let text = format!("t [ms];q [deg]\n{}Max;2;3\n", (0..300).map(|k| format!("{k};1\n")).collect::<String>());
+        assert!(found(&text, Language::En)[0].0.ends_with("(a footer, or a row cut off)"));
+    }
+
     #[test]
     fn a_wrong_order_has_its_reason_and_the_line_to_write() {
         let table =
