@@ -286,10 +286,6 @@ pub(crate) fn advance(lines: &mut Ahead<impl Read>, faults: &mut FaultCollector)
     lines.advance().map_err(|fault| faults.push(fault)).ok()
 }
 
-/// Number of lines that may be a footer below any number of rows, and the number of rows for each further one.
-const FOOTER_LINES: u64 = 8;
-const FOOTER_SHARE: u64 = 20;
-
 /// The columns in use, time first.
 #[derive(Default)]
 struct Wanted {
@@ -312,9 +308,8 @@ struct Wanted {
     beside: Vec<(usize, String)>,
     /// Notation of the numbers read so far.
     thousands: Thousands,
-    /// Faults of the lines since the last row that are no rows.
+    /// Faults of the lines since the last row that are no rows, and the number of these lines.
     no_rows: Vec<Fault>,
-    /// Number of lines since the last row that are no rows, those already reported included.
     no_rows_since: u64,
     /// Fault of the first of the rows without content before the current line.
     blank: Option<Fault>,
@@ -325,7 +320,6 @@ struct Wanted {
 impl Wanted {
     /// Adds the fault of a line that is no row; lines behind the end of the window do not matter.
     fn no_row(&mut self, fault: Fault, gather: &mut Gather<'_>, faults: &mut FaultCollector) {
-        // Longer footers are not known.
         const LINES_MOST: usize = 100;
         if gather.is_over() {
             return;
@@ -350,8 +344,7 @@ impl Wanted {
             self.no_rows.clear();
         }
         let count = self.no_rows.len() as u64;
-        let is_footer = self.no_rows_since <= FOOTER_LINES.max(gather.rows_read() / FOOTER_SHARE);
-        if let Some(last) = gather.last_time().filter(|_| is_footer)
+        if let Some(last) = gather.last_time().filter(|_| gather.may_end_in(self.no_rows_since))
             && let Some(first) = self.no_rows.first_mut()
         {
             *first = Fault::BelowRows { first: Box::new(first.clone()), count, last };

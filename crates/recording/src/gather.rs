@@ -150,9 +150,12 @@ impl<'m> Gather<'m> {
         faults.advise_order(self.order.of_backwards(self.unit, |number| self.place(number)), self.order.of_same());
     }
 
-    /// Returns the number of rows with a time so far.
-    pub(crate) fn rows_read(&self) -> u64 {
-        self.before + self.after + self.time_s.len() as u64
+    /// Returns `true` if so many lines that are no rows may be a footer: some few below many rows.
+    pub(crate) fn may_end_in(&self, lines: u64) -> bool {
+        const LINES: u64 = 8;
+        const ROWS_PER_LINE: u64 = 20;
+        let rows = self.before + self.after + self.time_s.len() as u64;
+        lines <= LINES.max(rows / ROWS_PER_LINE)
     }
 
     /// Returns the time of the last row that has one.
