@@ -47,6 +47,12 @@ pub struct Check {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(default)]
     pub errata: Vec<&'static str>,
+    /// `true` if the limit is a rating of another manufacturer's gear, for faces that mark it.
+    #[serde(skip)]
+    pub is_of_another_gear: bool,
+    /// `true` if a datum is missing, not only the limit of the project.
+    #[serde(skip)]
+    pub is_open: bool,
 }
 
 /// An erratum that a figure depends on.

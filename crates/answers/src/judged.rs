@@ -3,7 +3,7 @@
 use crate::{AssumptionEntry, Check, Demand, Fit, Id, Motion, Number, Units};
 use schemars::JsonSchema;
 use serde::Serialize;
-use sizing::CheckId;
+use sizing::{CheckId, Verdict};
 
 /// Maker, series and kind of a product, stated where products of catalogue files compete.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -66,6 +66,13 @@ impl Candidate {
     #[must_use]
     pub fn called(&self) -> &str {
         self.code.as_deref().or(self.name.as_deref()).unwrap_or_default()
+    }
+
+    /// Returns `true` if it counts as fitting though no check that can reject it could be made.
+    #[must_use]
+    pub fn is_not_evaluated(&self) -> bool {
+        let decides = |check: &Check| *check.verdict != Verdict::NotChecked && !check.id.is_recommendation();
+        self.verdict != Fit::DoesNotFit && !self.checks.iter().any(decides)
     }
 }
 
@@ -298,6 +305,11 @@ pub struct Tolerance {
     pub distribution: &'static str,
     /// Number of samples with which the actuator fits.
     pub passes: usize,
+    /// Number of samples among `passes` with which it fits if an estimate holds, `fits_if_estimate`.
+    pub passes_if_estimate: usize,
+    /// The same as text with the condition; empty for none.
+    #[serde(skip)]
+    pub condition: String,
     /// Number of samples without a valid axis; none of them passes.
     pub impossible: usize,
     /// Share of the samples that pass.

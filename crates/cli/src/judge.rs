@@ -120,7 +120,7 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
     let Ranking { project, sizing, top, .. } = found;
     let top = *top;
     let mut out = String::new();
-    let fitting = sizing.fitting().len();
+    let evaluated = sizing.ranked().count();
     let name = if sizing.name.is_empty() { terms::axis(language) } else { sizing.name };
     let _ = match sizing.answer() {
         Some(best) => {
@@ -145,22 +145,22 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
         out.push_str(&demand_text(best, language));
         out.push('\n');
     }
-    if fitting > 0 {
+    if evaluated > 0 {
         out.push_str(&ranking_table(sizing, top, language).render());
         out.push_str(&paragraph("", &ranking_rule(sizing.by_mass, language)));
-        let shown = sizing.fitting().iter().take(top);
-        let masses = shown.filter_map(|candidate| candidate.parameters.mass.known());
+        let shown = sizing.ranked().take(top);
+        let masses = shown.filter_map(|(_, candidate)| candidate.parameters.mass.known());
         let errata: BTreeSet<&str> = masses.flat_map(|mass| mass.errata).copied().collect();
         for id in errata {
             out.push_str(&paragraph(&format!("{ERRATUM_MARK} "), &erratum_line(id, language)));
         }
-        if fitting > top {
-            let more = fitting - top;
-            let line = terminal::more_fit(&more, language);
+        if evaluated > top {
+            let line = terminal::more_fit(&(evaluated - top), language);
             let _ = writeln!(out, "{line}");
         }
         out.push('\n');
     }
+    out.push_str(&not_evaluated_text(sizing, top, language));
     out.push_str(&tolerance::table(found, language));
     if let Some(best) = sizing.answer() {
         let open: Vec<String> = best
@@ -194,6 +194,17 @@ fn product_text(candidate: &Candidate<'_>) -> String {
     }
 }
 
+/// Returns the actuators without a check that can reject them, as many as the ranking shows; empty if there are none.
+fn not_evaluated_text(sizing: &Sizing<'_>, top: usize, language: Language) -> String {
+    let open: Vec<String> = sizing.fitting().iter().filter(|each| each.is_not_evaluated()).map(product_text).collect();
+    if open.is_empty() {
+        return String::new();
+    }
+    let left = (open.len() > top).then(|| terminal::and_more(&(open.len() - top), language));
+    let listed: Vec<String> = open.into_iter().take(top).chain(left).collect();
+    labelled(terminal::not_evaluated_listed(language), &listed.join(", ")) + "\n"
+}
+
 fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> TextTable {
     let product = if sizing.by_mass { terms::product(language) } else { terms::ordering_code(language) };
     let mut table = TextTable::new([
@@ -205,7 +216,7 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> TextTab
         ("m kg", Align::Right),
         (terms::remark(language), Align::Left),
     ]);
-    for (index, candidate) in sizing.fitting().iter().take(top).enumerate() {
+    for (rank, candidate) in sizing.ranked().take(top) {
         let judgement = &candidate.judgement;
         let mass = candidate.parameters.mass.known();
         let inside = provisos(candidate, |check| title_of_check(check, language));
@@ -227,7 +238,7 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> TextTab
             remarks.push(terms::on_request(language).to_owned());
         }
         table.row([
-            (index + 1).to_string(),
+            rank.to_string(),
             product_text(candidate),
             percent(candidate.utilisation(), language),
             candidate.governing().map(|check| title_of_check(check, language)).unwrap_or_default(),

@@ -100,6 +100,8 @@ pub enum Unmet {
     NotKnown {
         /// Symbol of the datum.
         symbol: &'static str,
+        /// Value required of it, in SI.
+        requires: f64,
     },
 }
 
@@ -149,8 +151,8 @@ impl Requirements {
         let of_the_product = [
             other_feedback.map(Unmet::Feedback),
             other_brake.map(Unmet::Brake),
-            length_unknown.then_some(Unmet::NotKnown { symbol: "L" }),
-            mass_unknown.then_some(Unmet::NotKnown { symbol: "m" }),
+            self.length_max.filter(|_| length_unknown).map(|most| Unmet::NotKnown { symbol: "L", requires: most.si() }),
+            self.mass_max.filter(|_| mass_unknown).map(|most| Unmet::NotKnown { symbol: "m", requires: most.si() }),
         ];
         let is_permitted = |maker: &str| self.makers.iter().any(|name| is_maker(maker, name));
         let other_maker =
@@ -213,7 +215,7 @@ impl Requirements {
 }
 
 /// Compares a requirement with a datum; `None` if there is no requirement or it is met.
-fn compare<Q: Copy>(
+fn compare<Q: Measure>(
     required: Option<Q>,
     datum: &Datum<Q>,
     symbol: &'static str,
@@ -222,7 +224,7 @@ fn compare<Q: Copy>(
     let required = required?;
     match datum.known() {
         Some(known) => breaks(required, known.value),
-        None => Some(Unmet::NotKnown { symbol }),
+        None => Some(Unmet::NotKnown { symbol, requires: required.si() }),
     }
 }
 
@@ -241,7 +243,7 @@ mod tests {
     fn the_length_with_option_k_is_not_the_printed_one() {
         let short = Requirements { length_max: Some(Length::new_in(130.0, &MILLIMETRE)), ..Requirements::default() };
         assert_eq!(unmet(&short, "CHA-14A-30-E-RES"), []);
-        assert_eq!(unmet(&short, "CHA-14A-30-E-RES-K"), [Unmet::NotKnown { symbol: "L" }]);
+        assert_eq!(unmet(&short, "CHA-14A-30-E-RES-K"), [Unmet::NotKnown { symbol: "L", requires: 0.13 }]);
         assert!(matches!(unmet(&short, "CHA-25A-30-H-C1024").as_slice(), [Unmet::Length { .. }]));
     }
 
@@ -253,7 +255,7 @@ mod tests {
             ..Requirements::default()
         };
         assert_eq!(unmet(&wish, "CHA-20A-100-H-C1024"), []);
-        let unknown = ["L", "m"].map(|symbol| Unmet::NotKnown { symbol });
+        let unknown = [("L", 1.0), ("m", 100.0)].map(|(symbol, requires)| Unmet::NotKnown { symbol, requires });
         assert_eq!(unmet(&wish, "CHA-20A-100-H-C1024-SP"), unknown);
     }
 

@@ -55,7 +55,7 @@ fn lists(state: &PageState, sizing: &Sizing<'_>) -> Markup {
     let l = state.language;
     let fitting = sizing.fitting().len();
     let title = |list: List| match list {
-        List::Ranking => format!("{} ({fitting})", page::what_fits(l)),
+        List::Ranking => format!("{} ({})", page::what_fits(l), sizing.ranked().count()),
         List::Rejected => format!("{} ({})", page::why_not(l), sizing.candidates.len() - fitting),
         List::Map => page::map(l).to_owned(),
     };
@@ -170,8 +170,11 @@ fn sorted<'s, 'p>(state: &PageState, mut found: Vec<(usize, &'s Candidate<'p>)>)
 fn ranking(state: &PageState, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
     let l = state.language;
     let fitting = sizing.fitting();
-    let shown = fitting.iter().enumerate().filter(|(_, each)| state.filter.holds(each));
-    let all = sorted(state, shown.collect());
+    let evaluated = sizing.ranked().count();
+    let all = sorted(state, sizing.ranked().filter(|(_, each)| state.filter.holds(each)).collect());
+    let open: Vec<&Candidate<'_>> =
+        fitting.iter().filter(|each| each.is_not_evaluated() && state.filter.holds(each)).collect();
+    let is_in_the_table = |candidate: &Candidate<'_>| candidate.fits() && !candidate.is_not_evaluated();
     // The selected actuator is always above the fold.
     let is_it = |each: &Candidate<'_>| looked_at.is_some_and(|candidate| candidate.id == each.id);
     let (first, rest) = all.split_at(all.len().min(BEST_SHOWN));
@@ -183,10 +186,10 @@ fn ranking(state: &PageState, sizing: &Sizing<'_>, looked_at: Option<&Candidate<
             table.ranking {
                 (heads(state))
                 @if let Some(own) = own { (part(row(state, None, own, looked_at))) }
-                @for (place, candidate) in first.iter().chain(&below) { (part(row(state, Some(place + 1), candidate, looked_at))) }
+                @for (place, candidate) in first.iter().chain(&below) { (part(row(state, Some(*place), candidate, looked_at))) }
             }
         }
-        @if looked_at.is_some_and(|candidate| !candidate.fits() && own.is_none_or(|own| own.id != candidate.id)) && state.unfolded {
+        @if looked_at.is_some_and(|candidate| !is_in_the_table(candidate) && own.is_none_or(|own| own.id != candidate.id)) && state.unfolded {
             @if let Some(candidate) = looked_at { h3 { (candidate.id) } (checks::of(candidate, &state.prefix, l)) }
         }
         @if rest.len() > below.len() {
@@ -199,9 +202,16 @@ fn ranking(state: &PageState, sizing: &Sizing<'_>, looked_at: Option<&Candidate<
                 } @else { summary hx-post="/work" hx-vals=(vals(&[("fold", REST)])) { (title) } }
             } }))
         }
+        @if !open.is_empty() {
+            p.small id="not-evaluated" {
+                (capitalised(terminal::not_evaluated_listed(l))) ": "
+                @for candidate in open.iter().take(BEST_SHOWN) { (look_at(&candidate.id.to_string(), l)) " " }
+                @if open.len() > BEST_SHOWN { (terminal::and_more(&(open.len() - BEST_SHOWN), l)) }
+            }
+        }
         p.small {
             span id="answer" { @if fitting.is_empty() { strong.fail { (capitalised(terminal::no_actuator_fits(l))) } ". " } (capitalised(&fitting_text(sizing, l))) } ". "
-            @if !fitting.is_empty() { (page::shown_of(&all.len(), &fitting.len(), l)) ". " (capitalised(&ranking_rule(sizing.by_mass, l))) "." }
+            @if !fitting.is_empty() { (page::shown_of(&all.len(), &evaluated, l)) ". " (capitalised(&ranking_rule(sizing.by_mass, l))) "." }
         }
         // Of the rejected ones, only the actuator with the smallest excess says what would let it fit.
         @if fitting.is_empty() && own.is_none() { button type="button" id="go-rejected" hx-post="/work" hx-vals=(vals(&[("list", List::Rejected.id())])) { (page::why_not(l)) } }

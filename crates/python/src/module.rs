@@ -90,6 +90,12 @@ mod _antrieb {
         words::missing_data_text([checks, all], requirements, Language::of_id(lang).unwrap_or_default())
     }
 
+    /// Returns `true` for a key of the project that states the limit of a check.
+    #[pyfunction]
+    fn is_limit(key: &str) -> bool {
+        questions::CheckId::is_limit(key)
+    }
+
     /// Returns the symbol of a figure as it is displayed: `theta_w` is `ϑ_w`.
     #[pyfunction]
     fn symbol(name: &str) -> String {

@@ -140,6 +140,12 @@ impl Candidate<'_> {
         counts
     }
 
+    /// Returns `true` if the candidate counts as fitting though no check that can reject it could be made.
+    #[must_use]
+    pub fn is_not_evaluated(&self) -> bool {
+        self.fits() && self.counts().are_all_open()
+    }
+
     /// Returns the number of open questions: checks without a value, and requirements for which a datum is missing.
     #[must_use]
     pub fn open_questions(&self) -> usize {

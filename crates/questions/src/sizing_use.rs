@@ -71,7 +71,12 @@ impl<'p> Sizing<'p> {
     /// Returns the number of candidates that count as fitting though no check that can reject them could be made.
     #[must_use]
     pub fn not_evaluated(&self) -> usize {
-        self.fitting().iter().filter(|candidate| candidate.counts().are_all_open()).count()
+        self.fitting().iter().filter(|candidate| candidate.is_not_evaluated()).count()
+    }
+
+    /// Returns the fitting candidates with at least one check that can reject them, each with its rank from 1.
+    pub fn ranked(&self) -> impl Iterator<Item = (usize, &Candidate<'p>)> {
+        (1..).zip(self.fitting()).filter(|(_, candidate)| !candidate.is_not_evaluated())
     }
 
     /// Returns the rejected candidate with the smallest excess, among those that meet the requirements of the project

@@ -6,7 +6,7 @@ pub use crate::explain::{node_amount, number_and_unit, number_text, trust};
 pub use crate::sheet::{sheet_value_text, uncovered_mark};
 pub use crate::sizing_use::by_importance;
 pub use tolerances::{
-    dominating, passing_text, sampling_text, share_text, tolerance_heads, tolerance_lines, tolerance_rows, worst_text,
+    conditional_text, dominating, passing_text, sampling_text, share_text, tolerance_heads, tolerance_lines, tolerance_rows, worst_text,
 };
 
 use crate::gearing_proposals::GearingProposal;
@@ -452,18 +452,19 @@ pub fn reserve_condition(reserve: &Reserve, candidate: &Candidate<'_>, language:
     (has_value && count > 0).then(|| terminal::only_by_the_checks_made(&count, language))
 }
 
-/// Describes a value with which an actuator fits: the key with its value, or a stage to add, and the code.
+/// Describes a value with which an actuator fits: its name and key, or a stage to add, with the code.
 #[must_use]
 pub fn mend_text(mend: &GearingProposal, language: Language) -> String {
     let value = || unpadded(mend.unit.from_si(mend.si), 5, language);
     let what = if mend.adds_stage() {
         words::stage_by_its_keys(mend.unit.from_si(mend.si), mend.changes_flange_loads, language)
     } else {
-        format!("{} {}", mend.path, with_symbol(&value(), mend.unit.symbol_in(language)))
+        let name = words::purpose_of(&mend.path, language);
+        format!("{name} {} ({})", with_symbol(&value(), mend.unit.symbol_in(language)), mend.path)
     };
     match proviso_text(mend.proviso.estimate, mend.proviso.rating, language) {
-        Some(proviso) => format!("{what} ({}, {proviso})", mend.code),
-        None => format!("{what} ({})", mend.code),
+        Some(proviso) => format!("{what}: {}, {proviso}", mend.code),
+        None => format!("{what}: {}", mend.code),
     }
 }
 

@@ -11,7 +11,7 @@ use axis::{AxisProject, Variant, Varied};
 use configurator::Product;
 use draws::Draws;
 use rayon::prelude::*;
-use sizing::{CheckId, Depth, Fit, Judge, Judgement, Scope, StepObserver, Unobserved, finished};
+use sizing::{CheckId, Depth, Fit, Judge, Judgement, Proviso, Scope, StepObserver, Unobserved, finished};
 use statistics::{Ranks, wilson};
 use std::ops::Range;
 
@@ -129,6 +129,15 @@ pub struct Influence {
     pub share: f64,
 }
 
+/// Samples with which an actuator fits on a condition only.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Conditional {
+    /// Number of samples.
+    pub samples: usize,
+    /// Conditions, each of at least one sample.
+    pub proviso: Proviso,
+}
+
 /// The tolerances judged for one actuator.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assessment {
@@ -136,6 +145,8 @@ pub struct Assessment {
     pub sampling: Sampling,
     /// Number of samples with which the actuator fits.
     pub passes: usize,
+    /// Those of them with which it fits on a condition.
+    pub conditional: Conditional,
     /// Number of samples with which no axis is possible; none of them passes.
     pub impossible: usize,
     /// 95 % interval of the share of passes, by Wilson.
@@ -146,6 +157,14 @@ pub struct Assessment {
     pub worst: Worst,
     /// Influences of the quantities, the dominating one first; empty if the utilisation does not depend on any.
     pub influence: Vec<Influence>,
+}
+
+impl Conditional {
+    const fn add(&mut self, samples: usize, proviso: Proviso) {
+        self.samples += samples;
+        self.proviso.estimate |= proviso.estimate;
+        self.proviso.rating |= proviso.rating;
+    }
 }
 
 impl Assessment {
@@ -225,6 +244,7 @@ fn assess_with<W: StepObserver>(
         answers.push(Assessment {
             sampling,
             passes: sampled.passes,
+            conditional: sampled.conditional,
             impossible: sampled.impossible,
             interval: wilson(sampled.passes, samples),
             utilisation: Quantiles {
@@ -349,6 +369,7 @@ struct WorstSample {
 struct Sampled {
     utilisations: Vec<f64>,
     passes: usize,
+    conditional: Conditional,
     impossible: usize,
     worst: WorstSample,
 }
@@ -356,7 +377,8 @@ struct Sampled {
 impl Sampled {
     fn empty(samples: usize) -> Self {
         let worst = WorstSample { index: 0, fit: Fit::Fits, utilisation: -1.0 };
-        Self { utilisations: Vec::with_capacity(samples), passes: 0, impossible: 0, worst }
+        let conditional = Conditional::default();
+        Self { utilisations: Vec::with_capacity(samples), passes: 0, conditional, impossible: 0, worst }
     }
 
     fn add(&mut self, index: usize, fit: Fit, utilisation: f64) {
@@ -371,6 +393,7 @@ impl Sampled {
     fn append(&mut self, mut later: Self) {
         self.utilisations.append(&mut later.utilisations);
         self.passes += later.passes;
+        self.conditional.add(later.conditional.samples, later.conditional.proviso);
         self.impossible += later.impossible;
         if (later.worst.fit, later.worst.utilisation) > (self.worst.fit, self.worst.utilisation) {
             self.worst = later.worst;
@@ -424,6 +447,9 @@ fn judge_samples<W: StepObserver>(
                 for (sampled, judged) in all.iter_mut().zip(judged) {
                     let (judgement, fit) = judged.judge(project, &variant, &mut judge);
                     sampled.add(index, fit, number(judgement.utilisation()));
+                    if fit == Fit::FitsIfEstimate {
+                        sampled.conditional.add(1, judgement.proviso());
+                    }
                 }
             }
         }

@@ -201,16 +201,17 @@ impl Check {
         self.verdict == Verdict::Advice && self.id.has_margin() && self.utilisation.is_some_and(|share| share > 1.0)
     }
 
-    /// Returns `true` if the check has a value and the project states no limit for it: it is shown, not judged.
+    /// Returns `true` if the project states no limit for the check: its value is shown, if it is known, and not judged.
     #[must_use]
     pub fn is_without_limit(&self) -> bool {
-        self.verdict == Verdict::NotChecked && self.value.is_some()
+        let lacks_limit = || self.missing.is_some() && self.missing == self.id.limit_key();
+        self.verdict == Verdict::NotChecked && (self.value.is_some() || lacks_limit())
     }
 
     /// Returns `true` if the check lacks a datum.
     #[must_use]
     pub fn is_open(&self) -> bool {
-        self.verdict == Verdict::NotChecked && self.value.is_none()
+        self.verdict == Verdict::NotChecked && !self.is_without_limit()
     }
 
     /// Returns the utilisation by which checks are compared: infinite for a failing check without one, whose limit is

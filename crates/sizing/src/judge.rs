@@ -113,7 +113,7 @@ impl Judgement {
 /// the largest utilisation among those with a margin.
 ///
 /// Two checks may have the same utilisation, as those of the mean speed at the output and at the motor, up to the
-/// rounding of the machine; of these the last in the order of the checks is returned, on every machine.
+/// rounding of the machine; of these the one with the highest [`precedence`] is returned, on every machine.
 #[must_use]
 pub fn governing(checks: &Checks) -> Option<&Check> {
     let fails = any_fails(checks);
@@ -123,16 +123,37 @@ pub fn governing(checks: &Checks) -> Option<&Check> {
     };
     let contenders = || checks.unordered().filter(contends);
     let largest = contenders().map(Check::severity).max_by(f64::total_cmp)?;
-    contenders().filter(|check| at_least(check.severity(), largest)).max_by_key(|check| check.id)
+    contenders().filter(|check| at_least(check.severity(), largest)).max_by_key(|check| precedence(check))
 }
 
 fn any_fails(checks: &Checks) -> bool {
     checks.unordered().any(|check| check.verdict == Verdict::Fail)
 }
 
-/// Returns the last of those whose share equals the largest up to rounding.
-pub(crate) fn last_of_equal<T>(shares: impl IntoIterator<Item = (f64, T)>, largest: f64) -> Option<T> {
-    shares.into_iter().filter(|(share, _)| at_least(*share, largest)).last().map(|(_, of)| of)
+/// Order of checks with the same utilisation: a limit of the actuator above a rating of another manufacturer's gear, then
+/// the order of the checks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Precedence {
+    is_own_limit: bool,
+    id: CheckId,
+}
+
+impl Precedence {
+    /// Returns the precedence of a check whose limit is one of the actuator.
+    pub(crate) const fn of_own_limit(id: CheckId) -> Self {
+        Self { is_own_limit: true, id }
+    }
+}
+
+/// Returns the precedence of a check.
+pub(crate) fn precedence(check: &Check) -> Precedence {
+    Precedence { is_own_limit: !check.is_of_another_gear(), id: check.id }
+}
+
+/// Returns the check of the highest precedence among those whose share equals the largest up to rounding.
+pub(crate) fn first_of_equal(shares: impl IntoIterator<Item = (f64, Precedence)>, largest: f64) -> Option<CheckId> {
+    let equal = shares.into_iter().filter(|(share, _)| at_least(*share, largest));
+    equal.map(|(_, precedence)| precedence).max().map(|found| found.id)
 }
 
 /// Selection of the checks of a judgement.

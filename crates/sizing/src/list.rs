@@ -473,7 +473,8 @@ impl CheckId {
         }
     }
 
-    /// Returns its result in a case: not checked if a datum is missing, `None` if it does not apply to the actuator.
+    /// Returns its result in a case: not checked if a datum is missing, `None` if it does not apply to the actuator. If
+    /// the project states no limit, only the limit is missing, whatever data are known.
     pub(crate) fn of(self, case: &Case<'_>, work: &mut Workings) -> Option<Check> {
         let found = match self.answer() {
             Answer::Actuator(answer) => answer(case, work),
@@ -481,7 +482,23 @@ impl CheckId {
             Answer::Drivetrain(answer) => answer(case.axis, case.actuator, work),
             Answer::Bearing(answer) => answer(case.bearing?, work),
         };
-        Some(found.unwrap_or_else(|missing| not_checked(self, missing)))
+        let mut check = found.unwrap_or_else(|missing| not_checked(self, missing));
+        if check.is_open()
+            && let Requirement::Limit(key, stated) = self.entry().requirement
+            && !stated(case.axis)
+        {
+            check.missing = Some(key);
+        }
+        Some(check)
+    }
+
+    /// Returns the key of the project that states its limit; `None` for a limit of the actuator.
+    #[must_use]
+    pub(crate) const fn limit_key(self) -> Option<&'static str> {
+        match self.entry().requirement {
+            Requirement::None | Requirement::Case(_) | Requirement::Switch(..) => None,
+            Requirement::Limit(key, _) => Some(key),
+        }
     }
 
     /// Returns the key of the project that states its limit or enables it.
@@ -495,7 +512,7 @@ impl CheckId {
     /// Returns `true` for a key of the project that states the limit of a check, not a datum that it needs.
     #[must_use]
     pub fn is_limit(key: &str) -> bool {
-        Self::ALL.iter().any(|id| matches!(id.entry().requirement, Requirement::Limit(known, _) if known == key))
+        Self::ALL.iter().any(|id| id.limit_key() == Some(key))
     }
 
     /// Returns `true` if the check is made for an axis.

@@ -198,6 +198,7 @@ impl Operation {
         let mut cycle = SegmentLoad { torque_peak_nm, torque_rms_nm, ..cycle };
         let duty = duty(axis, &sums);
         let mut segments: Vec<SegmentLoad> = sums.into_iter().map(|sums| sums.load).collect();
+        to_the_cycle(&mut segments, &cycle, RMS);
         without_rounding(&mut segments, &mut cycle);
         let of_motor = |current: Option<f64>| {
             actuator.torque_constant_motor.known().zip(current).map(|(k, current)| k.value.si() * current)
@@ -217,6 +218,7 @@ impl Operation {
     #[must_use]
     pub fn with_energies(mut self, [taken, returned]: [f64; 2]) -> Self {
         (self.cycle.energy_taken_j, self.cycle.energy_returned_j) = (Some(taken), Some(returned));
+        to_the_cycle(&mut self.segments, &self.cycle, ENERGIES);
         without_rounding(&mut self.segments, &mut self.cycle);
         self
     }
@@ -227,6 +229,41 @@ const LEAST: f64 = 1e-12;
 
 /// A value of a row; `None` if it is not known.
 type Field = fn(&mut SegmentLoad) -> Option<&mut f64>;
+
+/// A value of a row with its share in the cycle, which adds up over the segments, and the exponent of the value in it.
+type Part = (Field, fn(&SegmentLoad, f64) -> f64, i32);
+
+/// Effective values: the integrals of their squares add up.
+const RMS: &[Part] = &[
+    (|load| Some(&mut load.torque_rms_nm), |load, value| value * value * load.duration_s, 2),
+    (|load| load.current_rms_a.as_mut(), |load, value| value * value * load.duration_s, 2),
+];
+
+/// Energies: they add up.
+const ENERGIES: &[Part] = &[
+    (|load| load.energy_taken_j.as_mut(), |_, value| value, 1),
+    (|load| load.energy_returned_j.as_mut(), |_, value| value, 1),
+];
+
+/// Largest deviation of a sum over the instants from the exact integral that is attributed to the instants.
+const OF_THE_INSTANTS: f64 = 0.01;
+
+/// Scales the sums of the segments, taken over single instants, so that together they are the exact integral of the cycle.
+fn to_the_cycle(segments: &mut [SegmentLoad], cycle: &SegmentLoad, parts: &[Part]) {
+    for (field, share, exponent) in parts {
+        let part = |load: &SegmentLoad| {
+            let mut load = *load;
+            field(&mut load).copied().map_or(0.0, |value| share(&load, value))
+        };
+        let factor = part(cycle) / segments.iter().map(part).sum::<f64>();
+        // NaN for a sum of zero.
+        if (factor - 1.0).abs() < OF_THE_INSTANTS {
+            for value in segments.iter_mut().filter_map(field) {
+                *value *= if *exponent == 2 { factor.sqrt() } else { factor };
+            }
+        }
+    }
+}
 
 /// Sets values that only rounding distinguishes from zero to zero, in the segments and in the cycle alike, as the torque of an arm
 /// that stands upright: below a share of the largest value of the same kind.

@@ -58,6 +58,8 @@ pub struct RunCheck {
     pub value: f64,
     /// Limit in SI, with grade and source.
     pub limit: Option<Sourced<f64>>,
+    /// Symbol of the limit where several are possible; empty elsewhere.
+    pub limit_symbol: &'static str,
     /// Verdict.
     pub verdict: Verdict,
 }
@@ -123,7 +125,21 @@ impl RunCheckId {
             Some(limit) if self.is_advice(limit, case) => Verdict::Advice,
             Some(_) => Verdict::Fail,
         };
-        RunCheck { id: self, value, limit, verdict }
+        let limit_symbol = if limit.is_some() { self.limit_symbol(case) } else { "" };
+        RunCheck { id: self, value, limit, limit_symbol, verdict }
+    }
+
+    /// Returns the symbol of the limit in use, where several are possible.
+    fn limit_symbol(self, case: &RunCase<'_>) -> &'static str {
+        let actuator = case.actuator;
+        match self {
+            Self::CurrentPeak if actuator.current_demagnetisation.known().is_some() => "I_E",
+            Self::CurrentPeak => "I_max",
+            Self::TorquePeak if !case.is_cycle && actuator.gear.collision_torque_max.known().is_some() => "T_M",
+            Self::TorquePeak => "T_max",
+            Self::WindingPeak => "T_KTY_shutdown",
+            Self::SpeedPeak | Self::Overload | Self::LinkHigh | Self::StopAngle | Self::DriveFaults => "",
+        }
     }
 }
 

@@ -16,7 +16,7 @@ use crate::bearing_checks::Borne;
 use crate::check::{Check, CheckId, Fit, Part, Verdict};
 use crate::currents::Currents;
 use crate::electrics::Electrics;
-use crate::judge::{Depth, Judge, Judgement, Scope, judge, last_of_equal};
+use crate::judge::{Depth, Judge, Judgement, Precedence, Scope, first_of_equal, judge, precedence};
 use crate::list::{Answer, Case, SharedBy};
 use crate::notes::Note;
 use crate::rank::{RankKey, Standing};
@@ -319,15 +319,19 @@ impl Row<'_> {
         }
         let ids: Vec<CheckId> =
             bounds.contenders().iter().chain(self.others.iter().copied()).filter(|id| id.has_margin()).collect();
-        let mut shares: Vec<(f64, CheckId)> = Vec::new();
+        let mut shares: Vec<(f64, Precedence)> = Vec::new();
         self.with_case(group, &ids, |case| {
             let borne = self.borne(group);
-            let known = borne.iter().flat_map(|borne| borne.shares.iter().copied());
-            shares.extend(ids.iter().filter_map(|id| Some((checked(*id, case)?.utilisation?, *id))).chain(known));
+            let known = borne.iter().flat_map(|borne| &borne.shares);
+            let known = known.map(|(share, id)| (*share, Precedence::of_own_limit(*id)));
+            let shared = |id: &CheckId| {
+                let check = checked(*id, case)?;
+                Some((check.utilisation?, precedence(&check)))
+            };
+            shares.extend(ids.iter().filter_map(shared).chain(known));
         });
-        shares.sort_unstable_by_key(|(_, id)| *id);
         let largest = shares.iter().map(|(share, _)| *share).fold(0.0, f64::max);
-        (largest, last_of_equal(shares, largest))
+        (largest, first_of_equal(shares, largest))
     }
 
     /// Returns the group with the smallest excess among those that do not fit: without those that the place of

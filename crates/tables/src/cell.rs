@@ -14,6 +14,8 @@ pub enum Cell {
     Number(f64),
     /// A word of a fixed set: its identifier in data exchange, and its text for readers.
     Word(&'static str, String),
+    /// Several identifiers separated by commas, and their text for readers.
+    Ids(String, String),
 }
 
 impl Cell {

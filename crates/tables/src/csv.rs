@@ -48,6 +48,7 @@ fn field(out: &mut String, cell: &Cell) {
         Cell::Text(text) if is_formula(text) => out.push_str(&quoted(&format!("'{text}"))),
         Cell::Text(text) => out.push_str(&quoted(text)),
         Cell::Word(id, _) => out.push_str(&quoted(id)),
+        Cell::Ids(ids, _) => out.push_str(&quoted(ids)),
     }
 }
 

@@ -49,5 +49,6 @@ fn cell(cell: &Cell) -> TableCell {
         Cell::Number(number) => TableCell::Number(Number(*number)),
         Cell::Text(text) => TableCell::Text(text.clone()),
         Cell::Word(id, _) => TableCell::Text((*id).to_owned()),
+        Cell::Ids(ids, _) => TableCell::Text(ids.clone()),
     }
 }

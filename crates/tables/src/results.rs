@@ -9,7 +9,8 @@ use quantities::{Language, Measure, Unit};
 use questions::texts::{by_importance, margin_share, verdict_of, verdict_text};
 use questions::{Candidate, Check, CheckId, Demand, Direction, Verdict};
 use words::{
-    Word, check_missing, check_title, describe_field, figure_term, grade_word, note_text, source_text, tables, terms,
+    Word, capitalised, check_missing, check_title, describe_field, erratum_place_of, figure_term, grade_word, note_text,
+    source_text, tables, terms,
     title_of_check, without_keys,
 };
 
@@ -140,7 +141,7 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
             Cell::in_unit(data.hollow_shaft.known().map(|known| known.value.si()), &MILLIMETRE),
             Cell::in_unit(data.ratio.known().map(|known| known.value), &ONE),
             Cell::in_unit(data.torque_max.known().map(|known| known.value.si()), &NEWTON_METRE),
-            Cell::text(errata_of(candidate).join(", ")),
+            errata_cell(&errata_of(candidate), l),
             count(candidate.open_questions()),
             Cell::text(request.join(", ")),
             Cell::text(questions::answer::objections(candidate, l).join("; ")),
@@ -167,6 +168,17 @@ fn errata_of(candidate: &Candidate<'_>) -> Vec<&'static str> {
     let data = candidate.parameters;
     let shown = [of(&data.mass), of(&data.length), of(&data.hollow_shaft), of(&data.ratio), of(&data.torque_max)];
     shown.concat()
+}
+
+/// Returns the cell of errata: their ids, and their places for readers.
+fn errata_cell(ids: &[&'static str], language: Language) -> Cell {
+    let mut places: Vec<String> = Vec::new();
+    for place in ids.iter().map(|id| erratum_place_of(id, language)) {
+        if !places.contains(&place) {
+            places.push(place);
+        }
+    }
+    if ids.is_empty() { Cell::Empty } else { Cell::Ids(ids.join(", "), capitalised(&places.join("; "))) }
 }
 
 pub(crate) fn checks(subject: &Subject<'_>, format: Format) -> Table {

@@ -8,6 +8,9 @@ texts! {
     parameters = "motor and gear" | "Motor und Getriebe";
     parameter = "parameter" | "Parameter";
     conversion = "conversion" | "Umrechnung";
+    corrected_from(printed) =
+        "corrected; manual: {printed}" | "berichtigt; laut Anleitung {printed}";
+    limit_without_demagnetisation = "I_max; I_E not stated" | "I_max; I_E nicht angegeben";
     gaps = "not stated: what to do" | "nicht angegeben: Vorgehen";
     encoder = "encoder settings" | "Gebereinstellungen";
     side_motor = "motor" | "Motor";

@@ -50,8 +50,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "Katalogdateien in TOML oder CSV, relativ zum Projekt",
         ),
         About::Catalogue(CatalogueName::cha) => (
-            "false: the built-in series is not offered",
-            "false: die mitgelieferte Baureihe steht nicht zur Auswahl",
+            "built-in series included; default: true",
+            "mitgelieferte Baureihe berücksichtigt; ohne Angabe true",
         ),
         About::CatalogueFile(CatalogueFileName::catalogue) => (
             "statements that apply to all products of the file",

@@ -392,7 +392,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
             let at_lever = deviation.map_or_else(String::new, |deviation| {
                 let deviation = with_unit(deviation.si(), &MILLIMETRE, 3, language);
                 match is_along_the_line {
-                    true => said!(language => ", {deviation} along the line" | ", {deviation} längs der Führung"),
+                    true => said!(language => ", {deviation} along the line" | ", linear {deviation}"),
                     false => said!(language => ", {deviation} at the lever arm" | ", {deviation} am Hebelarm"),
                 }
             });

@@ -16,9 +16,9 @@ texts! {
     utilisation_of_the_limit = "Utilisation" | "Auslastung";
     angle_at_the_output = "Angle at the output" | "Winkel am Abtrieb";
     output_speed = "Output speed" | "Abtriebsdrehzahl";
-    position_along_the_line = "Linear position" | "Position längs der Führung";
-    speed_along_the_line = "Linear speed" | "Geschwindigkeit längs der Führung";
-    acceleration_along_the_line = "Linear acceleration" | "Beschleunigung längs der Führung";
+    position_along_the_line = "Linear position" | "Linearposition";
+    speed_along_the_line = "Linear speed" | "Lineargeschwindigkeit";
+    acceleration_along_the_line = "Linear acceleration" | "Linearbeschleunigung";
     acceleration_at_the_output = "Acceleration at the output" | "Beschleunigung am Abtrieb";
     output_torque = "Output torque" | "Abtriebsdrehmoment";
     motor_current_rms = "Motor current, rms" | "Motorstrom, effektiv";

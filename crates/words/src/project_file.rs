@@ -221,6 +221,13 @@ mod tests {
                 let labels = Language::ALL.map(|language| short_label(crate::about_text(key.about, language)));
                 let is_file = |label: &String| words.iter().any(|word| label.starts_with(&format!("{word}: ")));
                 left.extend(labels.into_iter().filter(is_file));
+                // "… is not offered: no" says the opposite of what is meant.
+                let abouts = Language::ALL.map(|language| crate::about_text(key.about, language));
+                let is_negated = |about: &&str| {
+                    let off = about.strip_prefix("false: ").map(|off| off.split(';').next().unwrap_or(off));
+                    off.is_some_and(|off| !OFF.iter().any(|tail| off.ends_with(tail)))
+                };
+                left.extend(abouts.into_iter().filter(is_negated).map(str::to_owned));
                 walk(key.kind.keys(true), left);
             }
         }

@@ -58,6 +58,7 @@ const HEADS: &[(&str, Word)] = &[
     ("remark", terms::remark),
     ("revision", terms::revision),
     ("s_assumptions", terms::assumptions),
+    ("s_not_evaluated", terminal::not_evaluated_listed),
     ("s_open", terms::not_checked),
     ("s_remarks", terms::remarks),
     ("segment", terms::number),
@@ -148,7 +149,7 @@ texts! {
     unmet = "Requirements not met" | "Nicht erfüllte Anforderungen";
     without_limit = "no limit stated" | "keine Grenze angegeben";
     governing_check = "Governing check" | "Maßgebender Nachweis";
-    highest_utilisation = "Highest utilisation" | "Höchste Auslastung";
+    median_utilisation = "Utilisation, median" | "Auslastung, Median";
     duty = "Duty factor" | "Einschaltdauer";
     cycle = "Cycle time" | "Zykluszeit";
     prepared = "Prepared" | "Erstellt";
@@ -250,6 +251,7 @@ texts! {
     v_fits_text =
         "All checks were made; all are passed."
         | "Alle Nachweise sind geführt und erfüllt.";
+    v_fits_by_limits = "All checks with a limit are passed" | "Alle Nachweise mit Grenze sind erfüllt";
     v_open_text =
         "All checks made are passed. The result is valid only after the open points have been settled."
         | "Alle geführten Nachweise sind erfüllt. Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
@@ -332,10 +334,10 @@ texts! {
     steiner = "J Steiner, each" | "J Steiner je Körper";
     together = "J total" | "J gesamt";
     travel = "travel per revolution of the actuator" | "Weg je Umdrehung des Antriebs";
-    on_the_line = "Linear" | "Längs der Führung";
+    on_the_line = "Linear";
     on_the_line_text =
         "Linear: the same value converted with the travel per revolution, without losses."
-        | "Längs der Führung: derselbe Wert, mit dem Weg je Umdrehung umgerechnet, ohne Verluste.";
+        | "Linear: derselbe Wert, mit dem Weg je Umdrehung umgerechnet, ohne Verluste.";
     open_text =
         "Data are missing. These checks count neither as passed nor as failed; they must be settled by other means before signing."
         | "Angaben fehlen. Diese Nachweise gelten weder als erfüllt noch als nicht erfüllt; sie sind vor der Unterschrift anderweitig zu klären.";

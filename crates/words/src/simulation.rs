@@ -4,7 +4,7 @@ use crate::pick;
 use crate::texts::texts;
 use feedback::{Failure, Finding};
 use quantities::Language;
-use sizing::RunCheckId;
+use sizing::{RunCheck, RunCheckId};
 use twin::{EventKind, Fault, Loop, ScenarioId};
 
 texts! {
@@ -35,6 +35,11 @@ texts! {
     band =
         "A twin based on catalogue data only: measured friction of such gears deviates by up to 15 % (viscous) and 40 % (dry); measured values in the project replace the catalogue data."
         | "Zwilling allein aus Katalogdaten: die gemessene Reibung solcher Getriebe weicht um bis zu 15 % (viskos) und 40 % (trocken) ab; gemessene Werte im Projekt ersetzen die Katalogdaten.";
+    limit_named(title, limit) = "{title} (limit: {limit})" | "{title} (Grenze: {limit})";
+    shutdown_threshold = "shutdown threshold" | "Abschaltschwelle";
+    setpoint_limit(current) =
+        "the drive limits the current setpoint to I_max = {current} A; the current itself may exceed it for a short time, I_E is its limit"
+        | "der Servoregler begrenzt den Stromsollwert auf I_max = {current} A; der Strom selbst darf ihn kurzzeitig übersteigen, seine Grenze ist I_E";
     quantity = "quantity" | "Größe";
     limit = "limit" | "Grenze";
     stability = "stability" | "Stabilität";
@@ -304,6 +309,17 @@ pub fn run_check_title(id: RunCheckId, language: Language) -> String {
         RunCheckId::DriveFaults => drive_faults,
     };
     title(language).to_owned()
+}
+
+/// Returns the title of a check of a run with the limit that is meant, where several are possible.
+#[must_use]
+pub fn run_check_against(check: &RunCheck, language: Language) -> String {
+    let title = run_check_title(check.id, language);
+    match check.limit_symbol {
+        "" => title,
+        "T_KTY_shutdown" => limit_named(&title, &shutdown_threshold(language), language),
+        symbol => limit_named(&title, &symbol, language),
+    }
 }
 
 /// Returns the title of an event.

@@ -19,7 +19,7 @@ texts! {
     assumption_about = "assumption for a value not stated" | "Annahme für einen nicht angegebenen Wert";
     assumptions_about = "assumptions for values that are not stated" | "Annahmen für nicht angegebene Werte";
     at_the_output = "at the output" | "am Abtrieb";
-    along_the_line = "along the guide" | "längs der Führung";
+    along_the_line = "linear";
     segment_about = "number of the segment" | "Nummer des Abschnitts";
     law_about = "motion law, or dwell" | "Bewegungsgesetz oder Rast";
     from = "start" | "Beginn";
@@ -92,10 +92,10 @@ texts! {
     highest_utilisation_about = "utilisation of the governing check, 1 (100 %) is the limit" | "Auslastung des maßgebenden Nachweises, 1 (100 %) ist die Grenze";
     tightest_check_about = "governing check: the failing one exceeded most, otherwise the one with the highest utilisation; none if only a requirement rejects the actuator" | "maßgebender Nachweis: der am weitesten überschrittene, sonst der mit der höchsten Auslastung; keiner, wenn allein eine Anforderung den Antrieb ausschließt";
     margin_about = "1 − utilisation" | "1 − Auslastung";
-    open_questions = "not checked" | "nicht geprüft";
+    open_questions = "open points" | "offene Punkte";
     open_questions_about =
-        "number of checks not performed because of missing data"
-        | "Anzahl der Nachweise, für die eine Angabe fehlt";
+        "number of checks and requirements for which data are missing"
+        | "Anzahl der Nachweise und Anforderungen, für die eine Angabe fehlt";
     on_request_about = "fields of the ordering code available on request only" | "nur auf Anfrage lieferbare Felder der Bestellbezeichnung";
     errata_of_data = "errata" | "Druckfehler";
     errata_of_data_about =

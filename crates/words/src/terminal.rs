@@ -106,6 +106,8 @@ texts! {
     more_fit(more) =
         "{more} more fit; use --top N or --all to show them"
         | "{more} weitere geeignet; mit --top N oder --all anzeigen";
+    not_evaluated_listed = "not evaluated (data missing)" | "nicht bewertet (Angaben fehlen)";
+    and_more(more) = "… {more} more" | "… {more} weitere";
     demand_on(id) = "demand on {id}" | "geforderte Werte am Abtrieb, {id}";
     more_segments(more) = "{more} more; --json lists all" | "{more} weitere; --json nennt alle";
     text_read_as(encoding) = "text read as {encoding} (assumed)" | "Text als {encoding} gelesen (Annahme)";
@@ -140,7 +142,8 @@ texts! {
         | "--code gilt für eine Achse, das Projekt hat jedoch mehrere; eine mit --axis wählen: {names}";
     fits_up_to = "fits up to (single changes)" | "geeignet bis (Einzeländerungen)";
     checks_pass_up_to = "all checks pass up to (single changes)" | "alle Nachweise erfüllt bis (Einzeländerungen)";
-    would_fit_with_other_gearing = "would fit with one of these ratios" | "wäre mit einer dieser Übersetzungen geeignet";
+    would_fit_with_other_gearing =
+        "another value, with the actuator that then fits" | "anderer Wert, mit dem dann geeigneten Antrieb";
     a_stage_by_its_keys(ratio, number) =
         "stage with ratio {ratio} (--set stage.kind=gear --set stage.ratio={number})"
         | "Zwischenstufe mit Übersetzung {ratio} (--set stage.kind=gear --set stage.ratio={number})";
@@ -388,6 +391,9 @@ texts! {
     share_passing(passes, low, high) =
         "fits for {passes} % of the samples, 95 % interval {low} % to {high} %"
         | "geeignet bei {passes} % der Stichproben, 95-%-Intervall {low} % bis {high} %";
+    of_these_on_condition(count, condition) =
+        "of these, 1 sample only {condition}" | "davon 1 Stichprobe nur, {condition}",
+        "of these, {count} samples only {condition}" | "davon {count} Stichproben nur, {condition}";
     quantiles(p05, p50, p95, max) =
         "utilisation {p05} %, {p50} %, {p95} % at the 5, 50, 95 % quantile, maximum {max} %"
         | "Auslastung {p05} %, {p50} %, {p95} % beim 5-, 50-, 95-%-Quantil, Maximum {max} %";

@@ -67,7 +67,41 @@ pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
         Unmet::NotOffered(OfferDatum::LeadTime) => {
             said!(language => "lead time not stated" | "Lieferzeit nicht angegeben")
         }
-        Unmet::NotKnown { symbol } => {
+        Unmet::NotKnown { symbol, requires } => not_known(symbol, *requires, language),
+    }
+}
+
+/// Names a requirement for which a datum of the actuator is missing.
+fn not_known(symbol: &str, requires: f64, language: Language) -> String {
+    let required = |unit: &Unit, digits| with_unit(requires, unit, digits, language);
+    match symbol {
+        "U_M" => {
+            let link = required(&VOLT, 3);
+            said!(language =>
+                "DC link voltage {link}: no voltage range of the actuator stated"
+                | "Zwischenkreisspannung {link}: kein Spannungsbereich des Antriebs angegeben"
+            )
+        }
+        "d_H" => {
+            let least = required(&MILLIMETRE, 4);
+            said!(language =>
+                "hollow shaft bore at least {least}: not stated for the actuator"
+                | "Hohlwellendurchmesser mindestens {least}: für den Antrieb nicht angegeben"
+            )
+        }
+        "L" => {
+            let most = required(&MILLIMETRE, 4);
+            said!(language =>
+                "length at most {most}: not stated for the actuator" | "Länge höchstens {most}: für den Antrieb nicht angegeben"
+            )
+        }
+        "m" => {
+            let most = required(&KILOGRAM, 4);
+            said!(language =>
+                "mass at most {most}: not stated for the actuator" | "Masse höchstens {most}: für den Antrieb nicht angegeben"
+            )
+        }
+        _ => {
             let term = symbol_term(symbol, language);
             said!(language => "{symbol} ({term}) is not known" | "{symbol} ({term}) ist nicht bekannt")
         }

@@ -112,8 +112,8 @@ class View:
 
 
 def is_open(check: Any) -> bool:
-    """Returns true for a check without a value because a datum is missing; one that lacks a limit alone is none."""
-    return check.verdict == "not_checked" and check.value is None
+    """Returns true for a check without a value because a datum is missing; one without a limit of the project is none."""
+    return check.verdict == "not_checked" and check.value is None and not _antrieb.is_limit(check.missing or "")
 
 
 def standing(record: Any, lang: str, checks: Sequence[Any] | None = None) -> str:

@@ -40,6 +40,8 @@ pub fn check(check: &Check, language: Language) -> answers::Check {
             .iter()
             .filter_map(|note| if let Note::Erratum(id) = note { Some(*id) } else { None })
             .collect(),
+        is_of_another_gear: check.is_of_another_gear(),
+        is_open: check.is_open(),
     }
 }
 

@@ -8,21 +8,22 @@ use answers::{
     CommissionEntry, CommissionGap, CommissionList, CommissionParameter, DriveObject, DriveParameter, EncoderValue, Id,
     Number, OverloadSupervision, OverloadTrip, SensorThreshold,
 };
-use catalogue::Topic;
+use catalogue::{Cell, Topic};
 use installation::commission::checklist::{self, CheckList, ChecklistItem, Condition};
 use installation::commission::cia402::{self, Object};
 use installation::commission::encoder::{EncoderRow, EncoderSide};
 use installation::commission::expected::ExpectedValue;
 use installation::commission::sinamics::{self, Setting};
-use installation::commission::{Commissioning, ParameterId, ParameterToSet, clean, sensors};
+use installation::commission::{Commissioning, Conversion, ParameterId, ParameterToSet, clean, sensors};
 use installation::facts::{Order, facts_about};
 use order_code::FeedbackKind;
 use provenance::{Grade, Source};
 use quantities::unit::{DEGREE_CELSIUS, MINUTE, REVOLUTION_PER_MINUTE, SECOND};
-use quantities::{Language, Measure, ThermodynamicTemperature, Unit, format_significant};
+use quantities::{Language, Measure, ThermodynamicTemperature, Unit, format_significant, with_symbol};
 use words::{
     cell_text, choice_text, commission, condition_text, conversion_text, document_short, fact_source, fact_text,
     gap_text, marked, measurand_name, object_name, parameter_name, source_text, symbol_term, table_note,
+    unpadded,
 };
 
 /// Returns the commissioning sheet of a code.
@@ -83,11 +84,33 @@ fn parameter(parameter: &ParameterToSet, language: Language) -> CommissionParame
         value: Number(parameter.value()),
         unit: parameter.id.unit().json,
         conversion: conversion.id(),
-        conversion_text: conversion_text(conversion, language).to_owned(),
+        conversion_text: conversion_of(parameter, language),
         grade: Id(parameter.grade),
         source: joined(&parameter.sources, None, language),
         errata: parameter.errata.clone(),
     }
+}
+
+/// Returns the conversion from the value of the manual: for a corrected value also what the manual states, and for the
+/// smaller of two values the one that is not known.
+fn conversion_of(parameter: &ParameterToSet, language: Language) -> String {
+    let conversion = parameter.id.conversion();
+    let is_source = |cell: &&'static Cell| parameter.sources.contains(&Source::Cell(&cell.place));
+    let mut cells = parameter.errata.iter().filter_map(|id| catalogue::erratum(id)?.cell()).filter(|cell| is_source(cell));
+    match conversion {
+        Conversion::AsPrinted => match cells.find(|cell| cell.checks_use.is_some() || cell.printed != cell.corrected) {
+            Some(cell) => commission::corrected_from(&printed_text(cell, language), language),
+            None => conversion_text(conversion, language).to_owned(),
+        },
+        Conversion::Smaller if parameter.sources.len() == 1 => commission::limit_without_demagnetisation(language).to_owned(),
+        _ => conversion_text(conversion, language).to_owned(),
+    }
+}
+
+/// Returns the text of the manual in a cell, a number in the notation of the language with its unit.
+fn printed_text(cell: &Cell, language: Language) -> String {
+    let Ok(number) = cell.printed.replace(',', ".").parse::<f64>() else { return cell.printed.to_owned() };
+    with_symbol(&unpadded(number, 6, language), cell.unit)
 }
 
 fn drive_parameters(about: &Commissioning, language: Language) -> Vec<DriveParameter> {
@@ -112,7 +135,7 @@ fn drive_parameters(about: &Commissioning, language: Language) -> Vec<DriveParam
                     value: Number(line.value),
                     unit: unit.json,
                     name: parameter_name(id, language).to_owned(),
-                    conversion_text: conversion_text(id.conversion(), language).to_owned(),
+                    conversion_text: known.map_or_else(String::new, |known| conversion_of(known, language)),
                     grade: Id(known.map_or(Grade::Assumed, |known| known.grade)),
                     source: joined(known.map_or(&[], |known| known.sources.as_slice()), document, language),
                     errata: known.map_or_else(Vec::new, |known| known.errata.clone()),

@@ -6,7 +6,7 @@ use super::motion;
 use crate::gearing_proposals::GearingProposal;
 use crate::limits::{NeededLimit, limits_needed};
 use crate::sizing_use::{Candidate, Sizing};
-use crate::texts::{ambient_least, objection_text, reserve_condition, unsought_text};
+use crate::texts::{ambient_least, conditional_text, objection_text, reserve_condition, unsought_text};
 use crate::tolerance::{Assessment, PointKind};
 use answers::{
     Assessed, Fit, Id, Influence, Judgement, Make, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
@@ -88,7 +88,7 @@ pub fn judgement(
         axis: project.name.clone(),
         motion: motion(&crate::moves(project), language),
         reserve: reserve(found, judged, language),
-        tolerance: assessment.map(|found| tolerance(project, found)),
+        tolerance: assessment.map(|found| tolerance(project, found, language)),
         assumptions: assumptions_about(project, judged, language),
     }
 }
@@ -122,7 +122,7 @@ pub fn sizing(
 ) -> answers::Sizing {
     let judged = |each: &Candidate<'_>| Assessed {
         candidate: candidate(each, language),
-        tolerance: assessed.iter().find(|(of, _)| *of == each.id).map(|(_, found)| tolerance(project, found)),
+        tolerance: assessed.iter().find(|(of, _)| *of == each.id).map(|(_, found)| tolerance(project, found, language)),
     };
     let [certain, if_estimate] = sizing.counts();
     let ranking = sizing.fitting().iter().take(top).enumerate();
@@ -219,7 +219,7 @@ pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>, language: Language)
 
 /// Returns samples, worst point and influences of the tolerances.
 #[must_use]
-pub fn tolerance(project: &AxisProject, assessment: &Assessment) -> Tolerance {
+pub fn tolerance(project: &AxisProject, assessment: &Assessment, language: Language) -> Tolerance {
     let found = &assessment.utilisation;
     let worst = &assessment.worst;
     let values = project.tolerances.iter().zip(&worst.values).map(|(each, si)| ToleratedValue {
@@ -236,6 +236,8 @@ pub fn tolerance(project: &AxisProject, assessment: &Assessment) -> Tolerance {
         seed: assessment.sampling.seed,
         distribution: "uniform",
         passes: assessment.passes,
+        passes_if_estimate: assessment.conditional.samples,
+        condition: conditional_text(assessment, language).unwrap_or_default(),
         impossible: assessment.impossible,
         share: Number(assessment.share()),
         interval: [Number(assessment.interval.0), Number(assessment.interval.1)],

@@ -161,7 +161,7 @@ fn verdict(check: RunCheck, language: Language) -> SimulatedVerdict {
     let limit = check.limit.as_ref();
     SimulatedVerdict {
         id: Id(check.id),
-        title: simulation::run_check_title(check.id, language),
+        title: simulation::run_check_against(&check, language),
         verdict: Id(check.verdict),
         value: Some(Number::in_unit(check.value, unit)),
         limit: limit.map(|limit| Number::in_unit(limit.value, unit)),
@@ -270,6 +270,12 @@ fn notes(run: &Simulated<'_>, language: Language) -> Vec<String> {
     }
     if run.supply_within() == Some(false) {
         notes.push(simulation::no_chopper_threshold(&volt(run.supply.most_v), language));
+    }
+    let actuator = &run.parameters.actuator;
+    let both = actuator.current_max.known().zip(actuator.current_demagnetisation.known());
+    if let Some((most, _)) = both.filter(|_| run.project.twin.switches.limits) {
+        let most = format_significant(AMPERE.from_si(most.value.si()), 4, language);
+        notes.push(simulation::setpoint_limit(&most, language));
     }
     if !run.left_out.is_empty() {
         notes.push(simulation::left_out(&run.left_out.join(", "), language));

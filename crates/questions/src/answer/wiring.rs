@@ -5,7 +5,7 @@ use answers::{
     AmbiguousColour, ConnectorExit, ConnectorPin, Id, NotAvailable, NoteBy, Number, VoltageDrops, WiringCheck,
     WiringFinding, WiringNote,
 };
-use catalogue::{Cell, Topic};
+use catalogue::{Cell, Footnote, Topic};
 use installation::facts::{Order, facts_about};
 use installation::wiring::{
     Cable, CableLength, Circuit, CodeWiring, Connector, DropVerdict, Exit, Pin, PinComparison, PinFinding,
@@ -127,8 +127,14 @@ fn tables(wiring: &CodeWiring) -> Vec<&'static str> {
 /// Returns the notes of the tables, and remarks on the answer.
 fn notes(wiring: &CodeWiring, language: Language) -> Vec<WiringNote> {
     let mut found = Vec::new();
+    let shown = cells(wiring);
     for table in tables(wiring).into_iter().filter_map(catalogue::table) {
-        for note in table.footnotes {
+        // A note on rows is one on those shown: other rows are of other encoders.
+        let of_the_table = || shown.iter().filter(|cell| cell.place.table == table.id);
+        let of_rows: Vec<_> = of_the_table().flat_map(|cell| table.notes_on(cell)).collect();
+        let notices: Vec<_> = table.notices().collect();
+        let is_of = |list: &[&'static Footnote], note| list.iter().any(|each| std::ptr::eq(*each, note));
+        for note in table.footnotes.iter().filter(|note| is_of(&notices, *note) || is_of(&of_rows, *note)) {
             let by = if note.ours { NoteBy::Antrieb } else { NoteBy::Manual };
             found.push(WiringNote { text: table_note(note, language).to_owned(), by, table: Some(table.id) });
         }
@@ -148,13 +154,17 @@ fn notes(wiring: &CodeWiring, language: Language) -> Vec<WiringNote> {
     found
 }
 
-/// Returns the errata of the cells that are shown and of their tables; slips of the recovered text are left out.
-fn errata(wiring: &CodeWiring) -> Vec<&'static str> {
+/// Returns the cells that are shown.
+fn cells(wiring: &CodeWiring) -> Vec<&'static Cell> {
     let pins = wiring.connectors.iter().flat_map(|connector| &connector.pins);
     let of_connectors = wiring.connectors.iter().map(|connector| connector.kind);
     let of_cables = wiring.cables.iter().map(|cable| cable.number);
-    let cells: Vec<&'static Cell> =
-        pins.flat_map(|pin| [pin.signal, pin.colour]).flatten().chain(of_connectors).chain(of_cables).collect();
+    pins.flat_map(|pin| [pin.signal, pin.colour]).flatten().chain(of_connectors).chain(of_cables).collect()
+}
+
+/// Returns the errata of the cells that are shown and of their tables; slips of the recovered text are left out.
+fn errata(wiring: &CodeWiring) -> Vec<&'static str> {
+    let cells = cells(wiring);
     let tables = tables(wiring);
     let shown = |erratum: &&catalogue::Erratum| match erratum.cell() {
         Some(_) => cells.iter().any(|cell| cell.errata.contains(&erratum.id)),

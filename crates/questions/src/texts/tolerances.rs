@@ -3,7 +3,7 @@
 use crate::tolerance::{Assessment, PointKind, Sampling, Worst};
 use axis::{ALL_CORNERS_MOST, AxisProject};
 use quantities::{Language, Unit, format_number, format_significant};
-use words::{check_title, percent_text, terminal, terms};
+use words::{check_title, conditions_text, percent_text, terminal, terms};
 
 /// Formats a share in percent with one digit; infinite if no axis is possible.
 #[must_use]
@@ -15,6 +15,14 @@ pub fn share_text(share: f64, language: Language) -> String {
 #[must_use]
 pub fn passing_text(assessment: &Assessment, language: Language) -> String {
     format_number((assessment.share() * 1e4).floor() / 1e2, 2, language)
+}
+
+/// Returns the number of samples that pass on a condition, and the condition; `None` without any.
+#[must_use]
+pub fn conditional_text(assessment: &Assessment, language: Language) -> Option<String> {
+    let found = assessment.conditional;
+    let condition = conditions_text(found.proviso.estimate, found.proviso.rating, language);
+    (found.samples > 0).then(|| terminal::of_these_on_condition(found.samples, &condition, language))
 }
 
 /// Describes the sampling.
@@ -63,6 +71,9 @@ pub fn tolerance_lines(project: &AxisProject, assessment: &Assessment, language:
         terminal::quantiles(&p05, &p50, &p95, &max, language),
         terminal::worst_corner(&worst, &word, language),
     ];
+    if let Some(conditional) = conditional_text(assessment, language) {
+        lines.insert(1, conditional);
+    }
     if assessment.impossible > 0 {
         let count = assessment.impossible;
         lines.push(terminal::impossible_samples(&count, language));

@@ -1,10 +1,10 @@
 //! Other fitting actuators, those with the smallest excess, and the reasons for rejecting the rest.
 
-use super::checks::{Titles, is_of_another_gear};
+use super::checks::Titles;
 use super::shown::{Formatter, tied};
-use answers::{CheckId, Dossier, Fit, Rejection};
+use answers::{CheckId, Dossier, Fit, Ranked, Rejection};
 use serde::Serialize;
-use words::terminal::{speed_beyond_the_curve, without_any_check};
+use words::terminal::{and_more, speed_beyond_the_curve, without_any_check};
 use words::{capitalised, erratum_place_of, marked};
 
 /// Number of fitting actuators, and of those with the smallest excess, in the short form.
@@ -18,6 +18,8 @@ pub(super) struct Alternatives {
     fit: usize,
     /// Sentence on the actuators without a single check, which are neither evaluated nor fitting; empty without any.
     not_evaluated: String,
+    /// Codes of these actuators, as many as fitting ones are listed.
+    without_check: Vec<String>,
     fit_if_estimate: usize,
     rejected: usize,
     rule: String,
@@ -71,15 +73,15 @@ impl Alternatives {
         let sizing = &dossier.sizing;
         let chosen = dossier.judgement.candidate.code.as_deref();
         let most = if full { MANY } else { FEW };
-        let best = sizing.ranking.iter().take(most);
-        let own = sizing.ranking.iter().skip(most).filter(|each| each.of.candidate.code.as_deref() == chosen);
+        let (open, evaluated): (Vec<&Ranked>, Vec<&Ranked>) =
+            sizing.ranking.iter().partition(|each| each.of.candidate.is_not_evaluated());
+        let best = evaluated.iter().take(most);
+        let own = evaluated.iter().skip(most).filter(|each| each.of.candidate.code.as_deref() == chosen);
         let ranking = best.chain(own).map(|each| {
             let candidate = &each.of.candidate;
-            // The checks of the chosen actuator have limits of the same kind.
-            let mut checks = candidate.checks.iter().chain(&dossier.judgement.candidate.checks);
-            let governing = checks.find(|check| candidate.tightest == Some(check.id));
+            let governing = candidate.checks.iter().find(|check| candidate.tightest == Some(check.id));
             Fitting {
-                is_of_another_gear: governing.is_some_and(is_of_another_gear),
+                is_of_another_gear: governing.is_some_and(|check| check.is_of_another_gear),
                 rank: each.rank,
                 code: candidate.called().to_owned(),
                 utilisation: candidate.utilisation.written().unwrap_or_default(),
@@ -117,11 +119,14 @@ impl Alternatives {
             each.objections.is_empty() && each.utilisation.is_some() && !of_the_place
         };
         let near = sizing.rejected.iter().filter(is_near);
-        let open = sizing.not_evaluated;
+        let without_check = open.iter().take(most).map(|each| each.of.candidate.called().to_owned());
+        let left = (open.len() > most).then(|| and_more(&(open.len() - most), shown.0));
+        let count = sizing.not_evaluated;
         Self {
-            judged: sizing.judged - open,
-            fit: sizing.fit - open,
-            not_evaluated: if open == 0 { String::new() } else { without_any_check(open, shown.0) },
+            judged: sizing.judged - count,
+            fit: sizing.fit - count,
+            not_evaluated: if count == 0 { String::new() } else { without_any_check(count, shown.0) },
+            without_check: without_check.chain(left).collect(),
             fit_if_estimate: sizing.fit_if_estimate,
             rejected: sizing.rejected.len(),
             rule: capitalised(&sizing.rule),

@@ -1,7 +1,7 @@
 //! The chapters of one axis.
 
 use super::alternatives::Alternatives;
-use super::checks::{Checks, Titles, is_of_another_gear};
+use super::checks::{Checks, Titles};
 use super::demand::{DemandTable, MotionTable};
 use super::inputs::{Inputs, MechanismData, groups};
 use super::laid_out::{LaidOut, laid_out};
@@ -111,6 +111,8 @@ struct Scatter {
     samples: usize,
     seed: String,
     passes: usize,
+    /// Number of samples that fit on a condition only, as text; empty for none.
+    condition: String,
     impossible: usize,
     quantiles: [String; 4],
     corner: Corner,
@@ -216,7 +218,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Format
     };
     // A rating of another manufacturer's gear is no estimate and has no band.
     let beyond = |is_rating: bool| {
-        let of = |check: &&Check| is_of_another_gear(check) == is_rating;
+        let of = |check: &&Check| check.is_of_another_gear == is_rating;
         let named = candidate.checks.iter().filter(is_inside).filter(of).map(|check| {
             format!(
                 "{} {}",
@@ -268,7 +270,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Format
             (Fit::FitsIfEstimate, _) => "if_estimate",
             (Fit::DoesNotFit, _) => "does_not_fit",
         },
-        is_of_another_gear: governing.is_some_and(is_of_another_gear),
+        is_of_another_gear: governing.is_some_and(|check| check.is_of_another_gear),
         inside: beyond(false),
         above_ratings: beyond(true),
         fails: counts.failed,
@@ -318,6 +320,7 @@ fn scatter(found: &Tolerance, dossier: &Dossier, titles: &Titles, shown: &Format
         samples: found.samples,
         seed: found.seed.to_string(),
         passes: found.passes,
+        condition: found.condition.clone(),
         impossible: found.impossible,
         quantiles: [quantiles.p05, quantiles.p50, quantiles.p95, quantiles.max].map(|share| shown.share(share)),
         corner: Corner {

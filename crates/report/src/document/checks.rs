@@ -1,7 +1,7 @@
 //! The checks: their order, their counts, what is missing.
 
 use super::shown::{Formatter, tied};
-use answers::{Check, CheckId, Dossier, Grade, Identified, Number, Part, Shaft, Verdict};
+use answers::{Check, CheckId, Dossier, Grade, Identified, Number, Shaft, Verdict};
 use quantities::Language;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -59,12 +59,6 @@ struct Open {
     notes: Vec<String>,
 }
 
-/// Returns `true` if a check lacks a datum. A check with a value and without a limit is only shown, since no limit is
-/// required.
-fn is_open(check: &Check) -> bool {
-    *check.verdict == Verdict::NotChecked && check.value.is_none()
-}
-
 impl Checks {
     pub(super) fn build(dossier: &Dossier, shown: &Formatter) -> Self {
         let mechanism = &dossier.mechanism;
@@ -73,7 +67,7 @@ impl Checks {
             Shaft::Mechanism => mechanism.own_travel_mm_per_rev,
         };
         let checks = dossier.judgement.candidate.checks.iter();
-        let (open, explained): (Vec<&Check>, Vec<&Check>) = checks.partition(|check| is_open(check));
+        let (open, explained): (Vec<&Check>, Vec<&Check>) = checks.partition(|check| check.is_open);
         let mut notes: Vec<String> = Vec::new();
         let mut rows = Vec::new();
         for check in explained {
@@ -155,18 +149,13 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Formatt
         required: both.filter(|_| of_zero.is_none()).map_or("", |_| check.direction.required()),
         utilisation: utilisation.and_then(Number::written),
         margin: *check.verdict == Verdict::Fail || check.margin,
-        is_of_another_gear: is_of_another_gear(check),
+        is_of_another_gear: check.is_of_another_gear,
         percent: utilisation.map(|share| shown.share(share)).unwrap_or_default(),
         at: check.at.map(|at| shown.instant(at)).unwrap_or_default(),
         grade: check.grade.map_or("", |grade| shown.grade(*grade)),
         sources: once(&check.sources),
         notes,
     }
-}
-
-/// Returns `true` if the limit of a check is a rating of another manufacturer's gear: no other limit of the gear is published elsewhere.
-pub(super) fn is_of_another_gear(check: &Check) -> bool {
-    *check.part == Part::Gear && check.margin && check.grade.is_some_and(|grade| *grade == Grade::Published)
 }
 
 /// Returns the texts without repetitions, in their order.

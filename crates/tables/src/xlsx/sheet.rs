@@ -145,7 +145,7 @@ fn width(table: &Table, index: usize, column: &Column) -> f64 {
         .iter()
         .take(LOOK)
         .filter_map(|row| match row.get(index)? {
-            Cell::Text(text) | Cell::Word(_, text) => Some(text.chars().count()),
+            Cell::Text(text) | Cell::Word(_, text) | Cell::Ids(_, text) => Some(text.chars().count()),
             _ => None,
         })
         .max()
@@ -204,7 +204,7 @@ fn write(
                 None => sheet.write_string_with_format(row, at, text, &styles.text)?,
             };
         }
-        Cell::Word(_, text) => {
+        Cell::Word(_, text) | Cell::Ids(_, text) => {
             sheet.write_string_with_format(row, at, text, &styles.text)?;
         }
         Cell::Number(number) => {

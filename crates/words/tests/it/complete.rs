@@ -116,7 +116,10 @@ fn rules_requirements_and_codes() {
         Unmet::Length { has: q(0.2), permits: q(0.1) },
         Unmet::Mass { has: q(2.0), permits: q(1.0) },
         Unmet::SupplyTooLow { needs: q(300.0), gives: q(200.0) },
-        Unmet::NotKnown { symbol: "m" },
+        Unmet::NotKnown { symbol: "d_H", requires: 0.02 },
+        Unmet::NotKnown { symbol: "L", requires: 0.1 },
+        Unmet::NotKnown { symbol: "m", requires: 1.0 },
+        Unmet::NotKnown { symbol: "U_M", requires: 560.0 },
     ];
     for each in unmet {
         differ(&format!("{each:?}"), |language| words::unmet_text(&each, language));
