@@ -10,6 +10,7 @@ pub fn labels(language: Language) -> Vec<(&'static str, &'static str)> {
     let own = [
         ("fits", terms::fits(language)),
         ("fits_if_estimate", terms::fits_if_estimate(language)),
+        ("not_evaluated", terms::not_evaluated(language)),
         ("does_not_fit", terms::does_not_fit(language)),
         ("none_fits", terminal::no_actuator_fits(language)),
         ("candidates", terms::candidates(language)),

@@ -6,7 +6,8 @@ pub use crate::explain::{node_amount, number_and_unit, number_text, trust};
 pub use crate::sheet::{sheet_value_text, uncovered_mark};
 pub use crate::sizing_use::by_importance;
 pub use tolerances::{
-    conditional_text, dominating, passing_text, sampling_text, share_text, tolerance_heads, tolerance_lines, tolerance_rows, worst_text,
+    conditional_text, dominating, passing_text, sampling_text, share_text, tolerance_heads, tolerance_lines,
+    tolerance_rows, worst_text,
 };
 
 use crate::gearing_proposals::GearingProposal;

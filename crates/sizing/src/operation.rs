@@ -248,15 +248,18 @@ const ENERGIES: &[Part] = &[
 /// Largest deviation of a sum over the instants from the exact integral that is attributed to the instants.
 const OF_THE_INSTANTS: f64 = 0.01;
 
-/// Scales the sums of the segments, taken over single instants, so that together they are the exact integral of the cycle.
+/// Sets the sum over the instants of the only segment that has a share to the exact integral of the cycle. Of several segments
+/// it is not known in which the sum deviates.
 fn to_the_cycle(segments: &mut [SegmentLoad], cycle: &SegmentLoad, parts: &[Part]) {
     for (field, share, exponent) in parts {
         let part = |load: &SegmentLoad| {
             let mut load = *load;
             field(&mut load).copied().map_or(0.0, |value| share(&load, value))
         };
+        if segments.iter().filter(|load| part(load) > 0.0).count() != 1 {
+            continue;
+        }
         let factor = part(cycle) / segments.iter().map(part).sum::<f64>();
-        // NaN for a sum of zero.
         if (factor - 1.0).abs() < OF_THE_INSTANTS {
             for value in segments.iter_mut().filter_map(field) {
                 *value *= if *exponent == 2 { factor.sqrt() } else { factor };

@@ -271,6 +271,19 @@ fn every_segment_is_that_of_its_own_integral() {
     near(squares(&found.cycle), whole, 1e-4, "I_rms of the cycle");
 }
 
+/// The only segment with a torque is the cycle: one value, not one by the instants beside one by the integral.
+#[test]
+fn the_only_segment_is_the_cycle() {
+    let given = Given { distance: Some(Angle::from_si(2.0)), time: Some(Time::from_si(0.8)), ..Given::default() };
+    let segments = [SegmentSpec::Move(Law::Polynomial5, given), SegmentSpec::Dwell(Time::from_si(0.3), Hold::Motor)];
+    let found = Operation::of(&axis(&segments), &actuator()).unwrap();
+    let [only, _] = &found.segments[..] else { panic!("{found:?}") };
+    let square = |load: &SegmentLoad, rms: f64| rms * rms * load.duration_s;
+    near(square(only, only.torque_rms_nm), square(&found.cycle, found.cycle.torque_rms_nm), 1e-12, "T_rms");
+    let current = |load: &SegmentLoad| square(load, load.current_rms_a.unwrap());
+    near(current(only), current(&found.cycle), 1e-12, "I_rms");
+}
+
 /// Compares a segment with its own sums, within shares of the integrals and of the energy returned, which is a small difference.
 fn compare(load: &SegmentLoad, own: &Own, duration: f64, share: f64, of_returned: f64) {
     near(load.duration_s, duration, 1e-12, "t");

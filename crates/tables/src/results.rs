@@ -9,9 +9,8 @@ use quantities::{Language, Measure, Unit};
 use questions::texts::{by_importance, margin_share, verdict_of, verdict_text};
 use questions::{Candidate, Check, CheckId, Demand, Direction, Verdict};
 use words::{
-    Word, capitalised, check_missing, check_title, describe_field, erratum_place_of, figure_term, grade_word, note_text,
-    source_text, tables, terms,
-    title_of_check, without_keys,
+    Word, capitalised, check_missing, check_title, describe_field, erratum_place_of, figure_term, grade_word,
+    note_text, source_text, tables, terms, title_of_check, without_keys,
 };
 
 /// Returns identifier and word of the verdict on a whole candidate.

@@ -159,7 +159,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         ),
         Assumption::Default(KeyDefault::AxisLevel) => (
             "no tilt of the axis of rotation given (axis_tilt): horizontal, with the full gravity torque",
-            "keine Neigung der Drehachse angegeben (axis_tilt): waagerecht, mit dem vollen Lastmoment der Gewichtskraft",
+            "keine Neigung der Drehachse angegeben (axis_tilt): waagerecht, das Gewicht wirkt voll quer zur Achse",
         ),
         Assumption::Default(KeyDefault::StartsAtZero) => (
             "no position at the beginning of the motion given (start_angle): 0°, or the first position of a recording or cam table",

@@ -29,8 +29,8 @@ pub(super) fn fault(error: &BodyError, language: Language) -> String {
         let value = with_symbol(&format_significant(unit.from_si(si), 4, language), unit.symbol_in(language));
         if or_zero {
             said!(language =>
-                "`{key}` must not be negative, not {value}"
-                | "`{key}` darf nicht negativ sein, nicht {value}"
+                "`{key}` must not be negative: {value}"
+                | "`{key}` darf nicht negativ sein: {value}"
             )
         } else {
             said!(language =>

@@ -97,7 +97,7 @@ pub fn describe_code_error(error: &CodeError, language: Language) -> String {
             | "`{found}` ist nicht eindeutig; mit Bindestrichen schreiben"
         ),
         CodeError::UnknownToken { field, found, .. } => {
-            said!(language => "`{found}` is not known as: {}" | "`{found}` ist nicht bekannt als: {}", name(field))
+            said!(language => "`{found}` is no known {}" | "`{found}` ist nicht bekannt ({})", name(field))
         }
         CodeError::OutOfOrder { field, found, .. } => said!(language =>
             "`{found}` ({}) is in the wrong position"

@@ -459,7 +459,7 @@ pub fn hint_text(hint: &Hint, language: Language) -> String {
         Hint::DidYouMean(name) => said!(language => "did you mean `{name}`?" | "gemeint ist vielleicht `{name}`"),
         Hint::ValidAre(names) => {
             let names = names.join(", ");
-            said!(language => "valid here: {names}" | "hier gültig: {names}")
+            said!(language => "valid here: {names}" | "zulässig: {names}")
         }
         Hint::WithUnit { written, dimension } => {
             let units: Vec<&str> = dimension.units().iter().map(|unit| unit.ascii).collect();

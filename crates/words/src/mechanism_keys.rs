@@ -108,7 +108,7 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
         MechanismName::Hoist(HoistName::rope_mass) => ("mass of all falls at position zero; default: neglected", "Masse aller Seilstränge in Nullposition; ohne Angabe vernachlässigt"),
         MechanismName::Hoist(HoistName::hanging) => ("length of each fall at position zero", "Länge jedes Seilstrangs in Nullposition"),
         MechanismName::Hoist(HoistName::sheave_efficiency) => ("efficiency of one sheave", "Wirkungsgrad einer Seilrolle"),
-        MechanismName::Winder(WinderName::winding) => ("winding or unwinding of the web with positive rotation; default: winding", "Auf- oder Abwickeln der Bahn bei positiver Drehung; ohne Angabe Aufwickeln"),
+        MechanismName::Winder(WinderName::winding) => ("winding or unwinding of the web with positive rotation", "Auf- oder Abwickeln der Bahn bei positiver Drehung"),
         MechanismName::Winder(WinderName::core_diameter) => ("outer diameter of the core", "Außendurchmesser der Hülse"),
         MechanismName::Winder(WinderName::full_diameter) => ("diameter of the full roll", "Durchmesser des vollen Wickels"),
         MechanismName::Winder(WinderName::start_diameter) => ("diameter at position zero; default: the core when winding, the full roll when unwinding", "Durchmesser in Nullposition; ohne Angabe beim Aufwickeln die Hülse, beim Abwickeln der volle Wickel"),

@@ -89,7 +89,7 @@ texts! {
         | "die Toleranzen a bis d sind in Abbildung {figure} festgelegt, die nicht vorliegt; auch Außenkontur, Schraubenlänge und Einschraubtiefe sind nur gezeichnet und hier nicht angegeben";
     joint_loads_are_limits =
         "loads without a project: T_max, the collision torque T_M of an interchangeable gear, the holding torque of the brake, and the permissible tilting moments of the output bearing; with a project, its loads are used"
-        | "Lasten ohne Projekt: T_max, das Kollisionsdrehmoment T_M eines austauschbaren Getriebes, das Haltemoment der Bremse und die zulässigen Kippmomente des Abtriebslagers; mit einem Projekt gelten dessen Lasten";
+        | "Lasten ohne Projekt: T_max, das Kollisionsdrehmoment T_M eines baugleich einsetzbaren Getriebes, das Haltemoment der Bremse und die zulässigen Kippmomente des Abtriebslagers; mit einem Projekt gelten dessen Lasten";
     joint_loads_of(axis) =
         "loads of the project: {axis}; tilting moment about the centre of the output bearing, each load at its maximum over the cycle"
         | "Lasten des Projekts: {axis}; Kippmoment um die Mitte des Abtriebslagers, jede Last mit ihrem größten Wert im Zyklus";

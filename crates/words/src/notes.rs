@@ -49,7 +49,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
         }
         Note::RatingOfInterchangeableGear => said!(language =>
             "gear rating taken from an interchangeable gear of another manufacturer with the same T_R; the manual states none; for information only, no actuator is rejected by it"
-            | "Getriebewerte eines austauschbaren Getriebes eines anderen Herstellers mit gleichem T_R; die Anleitung nennt keine; nur zur Information, kein Antrieb wird dadurch ausgeschlossen"
+            | "Getriebewerte eines baugleich einsetzbaren Getriebes eines anderen Herstellers mit gleichem T_R; die Anleitung nennt keine; nur zur Information, kein Antrieb wird dadurch ausgeschlossen"
         ),
         Note::RatingByStrongerGear => said!(language =>
             "gear rating estimated: rated torque of the manufacturer's stronger gear series divided by 1.3; the manual states none"

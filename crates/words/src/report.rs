@@ -119,7 +119,7 @@ texts! {
     marked_masses = "† Errata of the manual for the mass:" | "† Druckfehler der Anleitung zur Masse:";
     s_operation = "Load by segment" | "Belastung je Abschnitt";
     operation_text =
-        "At the output shaft; current and power at the motor terminals, E_mot energy drawn, E_reg energy regenerated. cold: gear at ambient temperature; warm: gear at its steady-state temperature, to which I_rms, P_max, E_mot and E_reg refer, too. Deviation between the computed instants below 0.1 % of the maximum."
+        "At the output shaft; current and power at the motor terminals, E_mot energy drawn, E_reg energy regenerated. cold: gear at ambient temperature; warm: gear at its steady-state temperature, which also applies to I_rms, P_max, E_mot and E_reg. Deviation between the computed instants below 0.1 % of the maximum."
         | "An der Abtriebswelle; Strom und Leistung an den Motorklemmen, E_mot aufgenommene, E_reg zurückgespeiste Energie. kalt: Getriebe auf Umgebungstemperatur; warm: Getriebe auf Beharrungstemperatur, für die auch I_rms, P_max, E_mot und E_reg gelten. Abweichung zwischen den berechneten Zeitpunkten unter 0,1 % des Höchstwerts.";
     cold = "cold" | "kalt";
     warm = "warm";
@@ -178,8 +178,8 @@ texts! {
         "Segments of one cycle."
         | "Abschnitte eines Zyklus.";
     loads_text =
-        "Loads as they act. Process forces and torques include the constant ones of the mechanism; payloads act in addition to its masses. They count as positive when they act against the positive direction of motion."
-        | "Lasten, wie sie wirken. Prozesskräfte und äußere Momente enthalten die konstanten der Mechanik; Nutzlasten wirken zusätzlich zu ihren Massen. Positiv sind sie, wenn sie gegen die positive Bewegungsrichtung wirken.";
+        "Process forces and external torques include the constant ones of the mechanism; payloads are added to its mass. Forces and torques are positive if they act against the positive direction of motion."
+        | "Prozesskräfte und äußere Momente enthalten die konstanten der Mechanik; Nutzlasten kommen zur Masse der Mechanik hinzu. Kräfte und Momente sind positiv, wenn sie gegen die positive Bewegungsrichtung wirken.";
     s_recordings = "Recorded motion" | "Aufgezeichnete Bewegung";
     file = "File" | "Datei";
     samples = "Samples" | "Abtastwerte";

@@ -93,7 +93,7 @@ texts! {
     resonance_free = "resonance with free rotor" | "Resonanz bei freiem Rotor";
     stop_time = "stopping time" | "Anhaltezeit";
     stop_angle = "stopping angle" | "Anhaltewinkel";
-    brake_rest = "brake closed at standstill" | "Bremse im Stillstand geschlossen";
+    brake_rest = "closings of the brake at standstill" | "Schließvorgänge der Bremse im Stillstand";
     brake_moving = "brake closed in motion" | "Bremse in Bewegung geschlossen";
     data_ratio = "reduction ratio" | "Untersetzung";
     data_pole_pairs = "number of pole pairs" | "Polpaarzahl";

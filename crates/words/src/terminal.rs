@@ -291,7 +291,7 @@ texts! {
         "the time series table has up to {rows} rows and requires {needed} MiB; {most} MiB are permitted: raise the limit with --memory, or use fewer samples (from, to)"
         | "die Tabelle des Verlaufs hat bis zu {rows} Zeilen und benötigt {needed} MiB; zulässig sind {most} MiB: Grenze mit --memory erhöhen oder weniger Abtastwerte verwenden (from, to)";
     deadline_not_negative(limit) =
-        "the time limit must not be negative, not \"{limit}\"" | "die Zeitgrenze darf nicht negativ sein, nicht „{limit}“";
+        "the time limit must not be negative: \"{limit}\"" | "die Zeitgrenze darf nicht negativ sein: „{limit}“";
     not_in_time(most) =
         "no answer within {most} s; raise the limit with --deadline, or reduce the work: fewer samples, a shorter cycle, a single axis with --axis"
         | "keine Antwort innerhalb von {most} s; Zeitgrenze mit --deadline erhöhen oder Umfang verringern: weniger Stichproben, kürzerer Zyklus, einzelne Achse mit --axis";

@@ -139,6 +139,9 @@ pub fn usage_text(usage: &Usage, language: Language) -> String {
             "\"{written}\" is a recording or a table; a project that names it is expected"
             | "„{written}“ ist eine Aufzeichnung oder Tabelle; erwartet wird ein Projekt, das sie nennt"
         ),
+        Usage::Missing { names } if names.contains(", ") => {
+            said!(language => "{names} are missing" | "es fehlen {names}")
+        }
         Usage::Missing { names } => said!(language => "{names} is missing" | "es fehlt {names}"),
         Usage::BadValue { written, name } => {
             said!(language => "\"{written}\" is not a valid value for {name}" | "„{written}“ ist kein gültiger Wert für {name}")
@@ -171,7 +174,7 @@ pub fn usage_hint(hint: &UsageHint, language: Language) -> String {
         }
         UsageHint::Calls(calls) => {
             let calls = calls.join("\n");
-            said!(language => "write: {calls}" | "so schreiben: {calls}")
+            said!(language => "example: {calls}" | "Beispiel: {calls}")
         }
         UsageHint::Help => said!(language => "--help shows the syntax" | "--help zeigt den Aufruf"),
     }

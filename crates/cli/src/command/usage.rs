@@ -323,7 +323,7 @@ mod tests {
     fn a_missing_word_of_a_fixed_set_is_answered_by_the_set() {
         for (language, scissor, valid) in [
             (Language::En, "scissor lift with a screw", "valid here"),
-            (Language::De, "Scherenhubtisch mit Spindel", "hier gültig"),
+            (Language::De, "Scherenhubtisch mit Spindel", "zulässig"),
         ] {
             let found = refused_for("antrieb new", false, language);
             assert_eq!((found.code, found.data.as_str()), (2, ""), "{language:?}");

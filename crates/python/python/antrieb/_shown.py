@@ -138,7 +138,10 @@ def _sizing(record: Any, lang: str) -> View:
     word = words(lang)
     best = record.answer
     title = f"{record.axis}: {best}: {standing(_judged_best(record), lang)}" if best else f"{record.axis}: {word['none_fits']}"
-    counts = f"{word['fits']}: {record.fit} · {word['fits_if_estimate']}: {record.fit_if_estimate} · {word['candidates']}: {record.judged}"
+    not_evaluated = getattr(record, "not_evaluated", None) or 0
+    counts = f"{word['fits']}: {record.fit - not_evaluated} · {word['fits_if_estimate']}: {record.fit_if_estimate} · {word['candidates']}: {record.judged}"
+    if not_evaluated:
+        counts += f" · {word['not_evaluated']}: {not_evaluated}"
     lines = [counts]
     if not best and record.nearest_miss:
         lines.append(f"{word['nearest_miss']}: {record.nearest_miss}")

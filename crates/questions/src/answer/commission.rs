@@ -22,8 +22,7 @@ use quantities::unit::{DEGREE_CELSIUS, MINUTE, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure, ThermodynamicTemperature, Unit, format_significant, with_symbol};
 use words::{
     cell_text, choice_text, commission, condition_text, conversion_text, document_short, fact_source, fact_text,
-    gap_text, marked, measurand_name, object_name, parameter_name, source_text, symbol_term, table_note,
-    unpadded,
+    gap_text, marked, measurand_name, object_name, parameter_name, source_text, symbol_term, table_note, unpadded,
 };
 
 /// Returns the commissioning sheet of a code.
@@ -96,13 +95,16 @@ fn parameter(parameter: &ParameterToSet, language: Language) -> CommissionParame
 fn conversion_of(parameter: &ParameterToSet, language: Language) -> String {
     let conversion = parameter.id.conversion();
     let is_source = |cell: &&'static Cell| parameter.sources.contains(&Source::Cell(&cell.place));
-    let mut cells = parameter.errata.iter().filter_map(|id| catalogue::erratum(id)?.cell()).filter(|cell| is_source(cell));
+    let mut cells =
+        parameter.errata.iter().filter_map(|id| catalogue::erratum(id)?.cell()).filter(|cell| is_source(cell));
     match conversion {
         Conversion::AsPrinted => match cells.find(|cell| cell.checks_use.is_some() || cell.printed != cell.corrected) {
             Some(cell) => commission::corrected_from(&printed_text(cell, language), language),
             None => conversion_text(conversion, language).to_owned(),
         },
-        Conversion::Smaller if parameter.sources.len() == 1 => commission::limit_without_demagnetisation(language).to_owned(),
+        Conversion::Smaller if parameter.sources.len() == 1 => {
+            commission::limit_without_demagnetisation(language).to_owned()
+        }
         _ => conversion_text(conversion, language).to_owned(),
     }
 }

@@ -69,7 +69,7 @@ fn a_row_is_answered_as_the_project_with_its_values() {
         let text = MOVE.replace("1 kg m^2", &format!("{inertia} kg m^2")).replace("0.5 s", &format!("{time} ms"));
         assert_eq!(best(answer), sized(&text).unwrap());
     }
-    assert_eq!(found[3], Err("`load.inertia` must not be negative, not \"-1 kg m^2\"".to_owned()));
+    assert_eq!(found[3], Err("`load.inertia` must not be negative: \"-1 kg m^2\"".to_owned()));
     assert!(best(&found[0]).fits() && best(&found[2]).code.is_none());
 }
 

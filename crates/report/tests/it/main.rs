@@ -5,6 +5,7 @@ mod checklist;
 mod laden;
 mod named;
 mod pages;
+mod products;
 mod readers;
 mod report;
 mod samples;

@@ -80,7 +80,7 @@ fn every_table_is_whole() {
                     for (cell, column) in row.iter().zip(&table.columns) {
                         let fits = match cell {
                             Cell::Number(number) => number.is_finite() && column.is_numeric(),
-                            Cell::Text(_) | Cell::Word(..) => !column.is_numeric(),
+                            Cell::Text(_) | Cell::Word(..) | Cell::Ids(..) => !column.is_numeric(),
                             Cell::Empty => true,
                         };
                         assert!(fits, "{file} {} {}: {cell:?}", table.name, column.name);
