@@ -1,15 +1,22 @@
 //! Headings of a table by the words that people have for keys, in a project that states these keys.
 
 use crate::edit::{Written, key_at};
-use crate::heading::{Counted, Heading, Objection, may_be_a_column, parts};
+use crate::heading::{Counted, Heading, OF_MECHANISM, Objection, may_be_a_column, parts, underscored, with_brackets};
 use crate::load::loads;
 use crate::nearest::other_names;
 use crate::{Fault, Hint, TabularFault};
 use quantities::parse;
+use std::borrow::Cow;
 
 /// Keys of a move whose value may be the same in every move.
 const OF_EVERY_MOVE: [&str; 7] =
     ["time", "acceleration", "jerk", "payload", "payload_inertia", "process_force", "process_torque"];
+
+/// Words for the angle of a mechanism, which are words for the distance of a move too.
+const ANGLES: [&str; 2] = ["angle", "winkel"];
+
+/// Key of the angle of a mechanism.
+const ANGLE_OF_MECHANISM: &str = "start_angle";
 
 /// Heading of a key that a heading of a table stands for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,16 +32,23 @@ pub struct HeadingMeant {
 /// before the keys of the axis.
 #[must_use]
 pub fn headings_meant(all: &[Written], prefix: &str, heading: &str) -> Vec<HeadingMeant> {
-    let (name, unit) = parts(heading);
+    let marked = marked(heading);
+    let (name, unit) = parts(&marked);
     let with_unit = |path: &str| unit.as_deref().map_or_else(|| path.to_owned(), |unit| format!("{path} [{unit}]"));
     let meant = |heading: String| HeadingMeant { heading, is_opposite: false };
-    let as_it_is = || vec![meant(heading.to_owned())];
-    if Heading::is_one(heading) || Counted::of([heading]) == Counted::FromZero {
+    let as_it_is = || vec![meant(marked.clone().into_owned())];
+    if Heading::is_one(&marked) || Counted::of([heading]) == Counted::FromZero {
         return as_it_is();
     }
     let bracketed = with_brackets(&name);
     if bracketed != name && Heading::is_one(&bracketed) {
         return vec![meant(with_unit(&bracketed))];
+    }
+    if let Some(path) = of_mechanism(all, prefix, &bracketed) {
+        return vec![meant(with_unit(&path))];
+    }
+    if readings_of_angle(all, prefix, &marked).is_some() {
+        return as_it_is();
     }
     let word = name.trim().to_lowercase();
     let names: Vec<&str> = std::iter::once(word.as_str()).chain(other_names(&word).iter().copied()).collect();
@@ -86,12 +100,51 @@ pub fn headings_meant(all: &[Written], prefix: &str, heading: &str) -> Vec<Headi
     }
 }
 
+/// Returns a heading with its unit in brackets, also if it is written behind an underscore: `time_s` is `time [s]`.
+fn marked(heading: &str) -> Cow<'_, str> {
+    underscored(heading).map_or(Cow::Borrowed(heading), |(name, unit)| format!("{name} [{}]", unit.ascii).into())
+}
+
+/// Returns the path of a key of the only mechanism or load that an axis states, from a path without its name:
+/// `mechanism.arm.mass` for `mechanism.mass`.
+fn of_mechanism(all: &[Written], prefix: &str, path: &str) -> Option<String> {
+    let key = path.strip_prefix(OF_MECHANISM)?;
+    let inside = all.iter().filter_map(|each| each.path.strip_prefix(prefix));
+    let mut tables = inside
+        .filter(|path| path.strip_prefix(OF_MECHANISM).map_or(*path == "load", |name| !name.contains(['.', '['])));
+    let table = tables.next().filter(|_| tables.next().is_none())?;
+    let is_angle = ANGLES.contains(&key.to_lowercase().as_str());
+    [key, ANGLE_OF_MECHANISM]
+        .into_iter()
+        .take(if is_angle { 2 } else { 1 })
+        .map(|key| format!("{table}.{key}"))
+        .find(|path| Heading::is_one(path))
+}
+
+/// Returns the fault of a heading that names an angle in an axis whose mechanism has one beside the moves, and the headings that it
+/// may stand for; `None` for another heading.
+#[must_use]
+pub fn readings_of_angle(all: &[Written], prefix: &str, heading: &str) -> Option<Objection> {
+    let marked = marked(heading);
+    let (name, unit) = parts(&marked);
+    if !ANGLES.contains(&name.trim().to_lowercase().as_str()) {
+        return None;
+    }
+    let angle = of_mechanism(all, prefix, &format!("{OF_MECHANISM}{ANGLE_OF_MECHANISM}"))?;
+    let distances = all.iter().filter_map(|each| each.path.strip_prefix(prefix));
+    let distance = distances.into_iter().find(|path| path.starts_with("motion[") && path.ends_with("].distance"))?;
+    let with_unit = |path: &str| unit.as_deref().map_or_else(|| path.to_owned(), |unit| format!("{path} [{unit}]"));
+    let readings = [angle.as_str(), distance].map(with_unit).to_vec();
+    Some((Fault::UnknownKey { path: name.trim().to_owned() }, Some(Hint::ValidAre(readings))))
+}
+
 /// Returns the fault of a heading that names the cycle of an axis of which no dwell states it, and the headings of the stated
 /// times of dwells and pauses, which fill a cycle; `None` for another heading.
 #[must_use]
 pub fn without_cycle(all: &[Written], prefix: &str, heading: &str) -> Option<Objection> {
     const CYCLE: &str = "cycle";
-    let (name, unit) = parts(heading);
+    let marked = marked(heading);
+    let (name, unit) = parts(&marked);
     let word = name.trim().to_lowercase();
     if word != CYCLE && !other_names(&word).contains(&CYCLE) {
         return None;
@@ -108,17 +161,6 @@ pub fn without_cycle(all: &[Written], prefix: &str, heading: &str) -> Option<Obj
     let times: Vec<String> = (1..).take_while(is_there).filter_map(time).collect();
     let fault = Fault::Tabular(TabularFault::NoCycle { path: name.trim().to_owned() });
     Some((fault, (!times.is_empty()).then_some(Hint::ValidAre(times))))
-}
-
-/// Returns a path with its entries in brackets: `motion.1.time` is `motion[1].time`.
-#[must_use]
-pub fn with_brackets(path: &str) -> String {
-    let is_entry = |part: &str| !part.is_empty() && part.chars().all(|sign| sign.is_ascii_digit());
-    path.split('.').fold(String::new(), |path, part| match part {
-        _ if path.is_empty() => part.to_owned(),
-        _ if is_entry(part) => format!("{path}[{part}]"),
-        _ => format!("{path}.{part}"),
-    })
 }
 
 /// Returns the stated key that is nearest to one in an entry which its list does not have: the same key of another entry.
@@ -168,6 +210,19 @@ mod tests {
             ("Weg [mm]", &["motion[1].distance [mm]", "-motion[3].distance [mm]"]),
             ("mass [mm]", &["mass [mm]"]),
             ("id", &["id"]),
+            // Behind an underscore, as in recordings.
+            ("mass_kg", &["mechanism.screw.mass [kg]"]),
+            ("time_ms", &["motion[1].time [ms]", "motion[3].time [ms]"]),
+            ("motion[1].time_s", &["motion[1].time [s]"]),
+            ("motion.1.time_s", &["motion[1].time [s]"]),
+            ("mechanism.mass_g", &["mechanism.screw.mass [g]"]),
+            ("payload_inertia", &["payload_inertia"]),
+            // Without the name of the mechanism.
+            ("mechanism.mass [kg]", &["mechanism.screw.mass [kg]"]),
+            ("mechanism.lead [mm]", &["mechanism.screw.lead [mm]"]),
+            ("mechanism.length [mm]", &["mechanism.length [mm]"]),
+            ("load.mass [kg]", &["load.mass [kg]"]),
+            ("angle [mm]", &["motion[1].distance [mm]", "-motion[3].distance [mm]"]),
         ] {
             assert_eq!(of(&all, heading), meant, "{heading}");
         }
@@ -188,6 +243,23 @@ mod tests {
         for heading in ["cycle [s]", "Zyklus [s]", "Taktzeit [s]"] {
             assert_eq!(of(&cycle, heading), ["motion[2].cycle [s]"], "{heading}");
         }
+    }
+
+    #[test]
+    fn an_angle_of_mechanism_and_moves_has_two_readings() {
+        let arm = TEXT.replace("screw", "arm").replace("lead = \"10 mm\"", "length = \"1 m\"").replace("mm\"", "deg\"");
+        let all = written(&arm).unwrap();
+        for heading in ["angle [deg]", "Winkel [deg]", "angle_deg", "angle"] {
+            let unit = if heading.contains("deg") { " [deg]" } else { "" };
+            let readings = readings_of_angle(&all, "", heading).map(|(_, hint)| hint);
+            let valid =
+                ["mechanism.arm.start_angle", "motion[1].distance"].map(|path| format!("{path}{unit}")).to_vec();
+            assert_eq!(readings, Some(Some(Hint::ValidAre(valid))), "{heading}");
+            assert!(of(&all, heading).iter().all(|meant| !meant.contains("motion")), "{heading}");
+        }
+        assert_eq!(of(&all, "mechanism.angle [deg]"), ["mechanism.arm.start_angle [deg]"]);
+        assert_eq!(of(&all, "distance [deg]").len(), 2);
+        assert_eq!(readings_of_angle(&written(TEXT).unwrap(), "", "angle [deg]"), None);
     }
 
     #[test]

@@ -398,6 +398,8 @@ impl Fault {
         matches!(
             self,
             Self::UnknownKey { .. }
+                | Self::MissingKey { .. }
+                | Self::FlangeLoadsUndecided { .. }
                 | Self::KeyOfAnotherKind { .. }
                 | Self::OutsideTheAxes { .. }
                 | Self::RatioAndRatios

@@ -14,6 +14,9 @@ use std::borrow::Cow;
 /// Longest excerpt of a heading in a fault, in characters.
 const HEADING_SHOWN: usize = 80;
 
+/// Beginning of a key of the mechanism that the project states, without its name: `mechanism.mass`.
+pub(crate) const OF_MECHANISM: &str = "mechanism.";
+
 /// A column whose cells are values of a key: `load.inertia [kg m^2]`, `motion[1].law`.
 #[derive(Clone, Debug)]
 pub struct Heading {
@@ -223,6 +226,37 @@ pub(crate) fn parts(written: &str) -> (Cow<'_, str>, Option<Cow<'_, str>>) {
     }
 }
 
+/// Splits a heading whose unit stands behind an underscore or a blank, as in a recording: `time_s`, `motion[1].payload_kg`,
+/// `ambient degC`. The part before it is a key or a word for one, and the unit is one of its quantity.
+pub(crate) fn underscored(written: &str) -> Option<(&str, &'static Unit)> {
+    /// Parts of the longest unit: `10_m_s`.
+    const PARTS_MOST: usize = 3;
+    let written = written.trim();
+    if written.len() > HEADING_SHOWN || parts(written).1.is_some() || Heading::is_one(written) {
+        return None;
+    }
+    let strokes: Vec<usize> = written.match_indices(['_', ' ']).map(|(at, _)| at).collect();
+    strokes.iter().rev().take(PARTS_MOST).rev().find_map(|at| {
+        let (name, unit) = (written.get(..*at)?.trim_end(), written.get(at + 1..)?);
+        Some((name, recording::unit_after_underscore(&dimensions_of(name), unit)?))
+    })
+}
+
+/// Returns the dimensions of a key, or of the keys that a word may stand for.
+fn dimensions_of(name: &str) -> Vec<Dimension> {
+    if let Some(key) = from_one(&with_brackets(name), Counted::FromOne).and_then(|path| key_at(&path)) {
+        return key.kind.dimensions();
+    }
+    let word = name.to_lowercase();
+    let word = word.strip_prefix(OF_MECHANISM).unwrap_or(&word);
+    let others = other_names(word);
+    let mut all = Vec::new();
+    columns(KEYS, "", "[1]", &mut all);
+    let last = |path: &String| path.rsplit('.').next().unwrap_or(path).to_owned();
+    let meant = all.iter().filter(|path| last(path) == word || others.contains(&last(path).as_str()));
+    meant.filter_map(|path| key_at(path)).flat_map(|key| key.kind.dimensions()).collect()
+}
+
 /// Returns the path of a key of an axis, entries of lists counted from one, and its description; `None` if the project file
 /// has no such key.
 fn located(name: &str, counted: Counted, axis: Option<usize>) -> Option<(String, &'static Key)> {
@@ -262,6 +296,17 @@ fn from_one(path: &str, counted: Counted) -> Option<String> {
         found.push_str(&format!("[{index}]{rest}"));
     }
     Some(found)
+}
+
+/// Returns a path with its entries in brackets: `motion.1.time` is `motion[1].time`.
+#[must_use]
+pub fn with_brackets(path: &str) -> String {
+    let is_entry = |part: &str| !part.is_empty() && part.chars().all(|sign| sign.is_ascii_digit());
+    path.split('.').fold(String::new(), |path, part| match part {
+        _ if path.is_empty() => part.to_owned(),
+        _ if is_entry(part) => format!("{path}[{part}]"),
+        _ => format!("{path}.{part}"),
+    })
 }
 
 /// Returns `true` if each list in a path has the number of its entry.
@@ -309,7 +354,12 @@ pub fn is_label(written: &str) -> bool {
     let (name, unit) = parts(written);
     let name = name.to_lowercase();
     let is_path = name.contains(['.', '[']) && !name.contains(char::is_whitespace);
-    if unit.is_some() || name.is_empty() || is_path || name.chars().count() > HEADING_SHOWN {
+    if unit.is_some()
+        || underscored(written).is_some()
+        || name.is_empty()
+        || is_path
+        || name.chars().count() > HEADING_SHOWN
+    {
         return false;
     }
     let mut all = Vec::new();

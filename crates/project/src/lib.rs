@@ -99,7 +99,7 @@ pub mod sections {
 pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyKind, BodyShape, BodyText, read_bodies};
 pub use catalogue_file::{CATALOGUE_KEYS, CATALOGUE_MAX_BYTES, ReadCatalogue, read_catalogue};
-pub use column_words::{HeadingMeant, headings_meant, nearest_entry, with_brackets, without_cycle};
+pub use column_words::{HeadingMeant, headings_meant, nearest_entry, readings_of_angle, without_cycle};
 pub use cycle::{FilledCycle, Unfilled, cycle_filled};
 pub use diagnostic::{Diagnostic, offset, place};
 pub use edit::{
@@ -107,7 +107,7 @@ pub use edit::{
 };
 pub use encoding::decoded;
 pub use fault::{Expected, Fault, FileTrouble, Range, Unopened};
-pub use heading::{Counted, Heading, Objection, is_label, nearest_heading, truth};
+pub use heading::{Counted, Heading, Objection, is_label, nearest_heading, truth, with_brackets};
 pub use hint::Hint;
 pub use inputs::{Input, InputChange, input_changes, inputs};
 pub use key::{ColumnDimensions, Key, Kind, Variants, example};

@@ -108,6 +108,13 @@ mod _antrieb {
         py.detach(crate::settle);
     }
 
+    /// Returns a unit of a quantity (by its English name) in SI, from any of its spellings; `None` for a unit of another quantity.
+    #[pyfunction]
+    fn unit_in_si(quantity: &str, spelling: &str) -> Option<f64> {
+        let of = quantities::Dimension::ALL.iter().find(|of| of.name(Language::default()) == quantity)?;
+        Some(quantities::Unit::of_dimension(*of, spelling)?.to_si(1.0))
+    }
+
     /// Notes that this process is the child of a fork.
     #[pyfunction]
     fn forked() {

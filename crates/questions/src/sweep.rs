@@ -193,31 +193,46 @@ impl Sweep {
         }
         decimals.check(|place| self.columns.get(place), self.options.language, faults);
         if first_row == 0 && faults.is_empty() {
-            self.check_keys(cells, faults);
+            let rows = cells.iter().map(Cells::len).min().unwrap_or(0);
+            let ends = [0, rows.saturating_sub(1)].map(|row| cells.iter().map(|cells| cells.of_row(row)).collect());
+            for fault in self.faults_of_all_rows(&ends).listed {
+                faults.add(fault);
+            }
         }
     }
 
-    /// Adds the headings whose keys have no meaning in this project, whatever their values: a load beside another one, a
-    /// key of another law. Where words are swept too, they decide it, row by row.
-    fn check_keys(&self, cells: &[Cells<'_>], faults: &mut TableFaults) {
+    /// Returns the faults of headings whose keys have no meaning in this project, whatever their values, from the first and the
+    /// last row: a load beside another one, a key of another law. Where words are swept too, they decide it, row by row.
+    fn faults_of_all_rows(&self, ends: &[Vec<Cells<'static>>]) -> TableFaults {
+        let mut faults = TableFaults::default();
         let words = |column: &Column| matches!(&column.holds, Holds::Key(heading) if !heading.is_number());
-        if self.columns.iter().any(words) {
-            return;
-        }
-        let Ok(values) = self.values(cells, 0) else { return };
+        let ends = ends.iter().map(|cells| self.values(cells, 0)).collect::<Result<Vec<_>, _>>();
+        let (Some((first, rest)), false) =
+            (ends.as_deref().ok().and_then(<[_]>::split_first), self.columns.iter().any(words))
+        else {
+            return faults;
+        };
         let all: Vec<usize> = (0..self.columns.len()).collect();
-        let found = self.faults_of_keys(&values, &all);
-        if found.is_empty() {
-            return;
+        let mut found = self.faults_of_keys(first, &all);
+        for values in rest {
+            if found.is_empty() {
+                return faults;
+            }
+            let last = self.faults_of_keys(values, &all);
+            found.retain(|fault| last.contains(fault));
         }
-        for (place, column) in self.columns.iter().enumerate() {
+        for (place, column) in self.columns.iter().enumerate().filter(|_| !found.is_empty()) {
             let others: Vec<usize> = all.iter().copied().filter(|other| *other != place).collect();
-            let left = self.faults_of_keys(&values, &others);
-            for fault in found.iter().filter(|fault| !left.contains(fault)) {
-                let fault = (fault.clone(), None);
-                faults.add(CellFault::of(&column.written, None, &fault, self.options.language));
+            let (left, alone) = (self.faults_of_keys(first, &others), self.faults_of_keys(first, &[place]));
+            // Without the column, or of it alone: two columns may have the same fault.
+            for fault in found.iter().filter(|fault| !left.contains(fault) || alone.contains(fault)) {
+                let fault = CellFault::of(&column.written, None, &(fault.clone(), None), self.options.language);
+                if !faults.listed.contains(&fault) {
+                    faults.add(fault);
+                }
             }
         }
+        faults
     }
 
     /// Returns the faults of the keys of some columns, with the values of a row.

@@ -60,7 +60,7 @@ pub use limits::{
     SAMPLES_MAX, STEP_MIN_S, TABLE_COLUMNS_MAX,
 };
 pub use memory::Memory;
-pub use names::{is_share, name_and_unit};
+pub use names::{is_share, name_and_unit, unit_after_underscore};
 pub use number::{is_grouped, number, with_unit};
 pub use packed::{Content, Foreign, Packing, Sniffed, opened};
 pub use parquet::{

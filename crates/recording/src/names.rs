@@ -1,7 +1,7 @@
 //! Names of columns in the notation of loggers: `time_s`, `Ist-Lage [mm]`, `Axis1.ActPos`.
 
 use crate::layout::Role;
-use quantities::Unit;
+use quantities::{Dimension, Unit};
 
 /// Words before or after the name of a quantity that mark it as measured.
 pub(crate) const MEASURED: &[&str] =
@@ -320,13 +320,20 @@ fn before<'w>(written: &'w str, names: &[&str]) -> Option<&'w str> {
 
 /// Returns the unit of a role, spelt with underscores for slashes or spaces; in lower case if that is unambiguous.
 fn unit_of(role: Role, written: &str) -> Option<&'static Unit> {
-    let spellings = [written.replace('_', "/").replace("/per/", "/"), written.replace('_', "")];
-    let known = |spelling: &String| role.dimensions().iter().find_map(|of| Unit::of_dimension(*of, spelling));
+    unit_after_underscore(role.dimensions(), written)
+}
+
+/// Returns the unit of one of these dimensions that a name has behind an underscore: `s`, `1_min`, `N_m`, `kg_m2`.
+#[must_use]
+pub fn unit_after_underscore(dimensions: &[Dimension], written: &str) -> Option<&'static Unit> {
+    let spellings =
+        [written.replace('_', "/").replace("/per/", "/"), written.replace('_', ""), written.replace('_', " ")];
+    let known = |spelling: &String| dimensions.iter().find_map(|of| Unit::of_dimension(*of, spelling));
     if let Some(unit) = spellings.iter().find_map(known) {
         return Some(unit);
     }
     let small = |unit: &&Unit| unit.spellings().any(|each| spellings.contains(&each.to_lowercase().replace(' ', "")));
-    let mut found = role.dimensions().iter().flat_map(|of| of.units()).filter(small);
+    let mut found = dimensions.iter().flat_map(|of| of.units()).filter(small);
     found.next().filter(|_| found.next().is_none())
 }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -58,8 +59,37 @@ def _class(name: str, sections: Any) -> str:
     return own if own in sections.__all__ else ""
 
 
-def by_argument(error: AntriebError, text: str) -> AntriebError:
+ARGUMENTS = (
+    (r'regardless of the file, units = \{ (\w+) = "…" \} states it in the project', r"\1_unit=… states it"),
+    (r'unabhängig von der Datei gibt units = \{ (\w+) = "…" \} sie im Projekt an', r"\1_unit=… gibt sie an"),
+    (r'columns\.(\w+) = "none"', r"\1=None"),
+    (r'choose the window, from = "…" and to = "…", state standstill = "…", or ', "hand over the rows of one cycle, or "),
+    (r'das Fenster wählen, from = "…" und to = "…", standstill = "…" oder ', "die Reihen eines Zyklus übergeben oder "),
+    (r"(?:state |unter \[axis\] )?single_move = true(?: under \[axis\])?", "single_move=True"),
+    (r"`axis\.single_move`", "`single_move=True`"),
+    (r" ?\(recorded_ratio\)", ""),
+)
+"""Keys of a project file in faults of recordings, and the arguments in their place."""
+
+
+def of_recordings(fault: dict[str, Any], names: Iterable[str]) -> dict[str, Any]:
+    """The fault of a recording that is in no file: rows of the arrays in place of lines, arguments in place of keys."""
+    message = str(fault.get("message", ""))
+    for name in names:
+        if message.startswith(f"{name}: "):
+            # The first row is behind the headings.
+            rows = re.sub(r"\b(?:line|Zeile) (\d+)", lambda found: f"{'row' if found[0][0] == 'l' else 'Reihe'} {int(found[1]) - 2}", message)
+            fault = {**fault, "message": rows.removeprefix(f"{name}: ")}
+    for key in ("message", "hint"):
+        for pattern, own in ARGUMENTS:
+            if fault.get(key):
+                fault = {**fault, key: re.sub(pattern, own, fault[key])}
+    return fault
+
+
+def by_argument(error: AntriebError, text: str, recordings: Iterable[str] = ()) -> AntriebError:
     """The exception with the argument of each fault in place of its line in a text that no user has seen."""
+    names = list(recordings)
     errors: list[dict[str, Any]] = []
     for fault in error.record.get("errors", []):
         line = fault.get("line")
@@ -69,5 +99,5 @@ def by_argument(error: AntriebError, text: str) -> AntriebError:
         elif line and not fault.get("option"):
             rest = {name: value for name, value in fault.items() if name not in ("line", "column")}
             fault = {**rest, "option": named(path_at(text, line))}
-        errors.append(fault)
+        errors.append(of_recordings(fault, names) if names else fault)
     return type(error)({**error.record, "errors": errors})

@@ -12,6 +12,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from antrieb import _antrieb
 from antrieb._axis import NAME
 from antrieb._called import called as refusing
 from antrieb._fault import fault
@@ -225,32 +226,23 @@ def _measured(column: Column, mechanisms: list[Any]) -> None:
     from antrieb._trace import quantities
     from antrieb.sections import Joint
 
-    # Products have their sign in files too.
-    unit = " ".join(column.unit.replace("*", " ").replace("·", " ").split())
-    known = [each for each in quantities() if any(unit in (one.unit, one.symbol, one.json, *one.also) for one in each.units)]
     permitted = MEASURES[column.role]
     is_turning = any(each is None or isinstance(each, Joint) for each in mechanisms)
     wanted = permitted[:1] if is_turning else permitted
-    if any(each.quantity in wanted for each in known):
+    if any(_antrieb.unit_in_si(quantity, column.unit) is not None for quantity in wanted):
         return
     units = {each.quantity: ", ".join(one.unit for one in each.units) for each in quantities()}
     hint = "; ".join(f"{quantity}: {units[quantity]}" for quantity in wanted if quantity in units)
-    if not known:
-        if _is_read(unit):
-            return
-        raise fault(f"{column.role}_unit: {column.unit!r} is no unit that is known", hint)
-    along = "; along a line only behind a mechanism such as antrieb.Screw(…)" if any(each.quantity in permitted for each in known) else ""
-    raise fault(f"{column.role}_unit: {column.unit!r} is a unit of {known[0].quantity}{along}", hint)
-
-
-def _is_read(unit: str) -> bool:
-    """Returns true for a unit that is composed, such as a product; the reader of recordings judges it."""
-    return any(sign in unit for sign in "/^ ") and unit.isascii()
+    known = next((each for each in units if _antrieb.unit_in_si(each, column.unit) is not None), None)
+    if known is None:
+        raise fault(f"{column.role}_unit: {column.unit!r:.40} is no unit that is known", hint)
+    along = "; along a line only behind a mechanism such as antrieb.Screw(…)" if known in permitted else ""
+    raise fault(f"{column.role}_unit: {column.unit!r:.40} is a unit of {known}{along}", hint)
 
 
 def _called(names: Any) -> list[str]:
     """The names of joints as they are handed over."""
-    if not isinstance(names, Iterable):
+    if not isinstance(names, Iterable) or hasattr(names, "magnitude"):
         raise TypeError(f"names is a list of texts, not {type(names).__name__}")
     found: list[str] = []
     for place, name in enumerate(listed(names, "names")):

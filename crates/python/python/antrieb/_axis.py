@@ -17,7 +17,7 @@ from antrieb import _antrieb
 from antrieb._called import called
 from antrieb._fault import fault
 from antrieb._plain import text as plain_text
-from antrieb._section import Document, Load, Section, Segment, Unread, _class, _of_file, _steps, _written
+from antrieb._section import Document, Load, ReturnMove, Section, Segment, Unread, _class, _of_file, _steps, _written
 from antrieb._source import Handed, ProjectSource, folder_text
 from antrieb._toml import changes, rendered
 
@@ -59,10 +59,14 @@ class _Source(Section, ProjectSource):
         return {name: getattr(self, name) for name in names}
 
     def _is_like(self, other: Section) -> bool:
-        return isinstance(other, _Source) and self._recordings == other._recordings
+        return isinstance(other, _Source) and self._recordings == other._recordings and self._returns() == other._returns()
+
+    def _returns(self) -> list[list[int]]:
+        """The places of the returns in each axis: a written way back is a fixed distance, that of a return is not."""
+        return [[place for place, each in enumerate(axis.motion) if isinstance(each, ReturnMove)] for axis in self.axes]
 
     def __hash__(self) -> int:
-        return hash(repr(self._document()))
+        return hash(repr((self._document(), self._returns())))
 
     def __repr__(self) -> str:
         text = super().__repr__()
@@ -89,19 +93,21 @@ class _Source(Section, ProjectSource):
         # An edit that is not exactly the change is none.
         return text if text is not None and _without_empty(tomllib.loads(text)) == document else rendered(document)
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def save(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
         """Writes the project file, and beside it its recordings: those that are in no file, named after the project
         (`robot-J1-1.csv`), and those of another folder.
 
         Args:
             path: The file, which ends in `.toml`.
+            force: Overwrite a project file with other content; that from which the project was loaded is overwritten without it.
 
         Raises:
-            AntriebError: The path has another ending, or a file with other content lies where a recording would be written.
+            AntriebError: The path has another ending, or a file with other content lies there, or where a recording would be
+                written.
         """
         from antrieb import _recordings
 
-        _recordings.save(self, path)  # type: ignore[arg-type]
+        _recordings.save(self, path, force)  # type: ignore[arg-type]
 
     def _handed(self) -> Handed:
         return self.to_toml(), self._name or "project", self._folder, self._recordings
@@ -173,7 +179,13 @@ class BaseAxis(_Source):
             return self._replaced(rest, path, value)
         if first == "requirements" and rest:
             return self._replaced(rest, path, value)
-        if first in ("mechanism", "load") and len(rest) > 1 and rest[0] == self.mechanism._TABLE.partition(".")[2]:
+        table, _, own = self.mechanism._TABLE.partition(".")
+        if first == "load" and table != "load":
+            last = joined(rest)
+            is_there = bool(rest) and rest[-1] in self.mechanism._KEYS
+            hint = f'did you mean "{table}.{own}.{last}"?' if is_there else f"its keys begin with {table}.{own}"
+            raise fault(f"{path}: the axis has [{table}.{own}] and no [load]", hint)
+        if first == "mechanism" and len(rest) > 1 and rest[0] == own:
             rest = rest[1:]
         return super()._replaced(["mechanism" if first == "load" else first, *rest], path, value)
 
@@ -183,7 +195,7 @@ class BaseAxis(_Source):
         if first in self._REQUIREMENTS:
             first, rest = "requirements", [first, *rest]
         table, _, own = self.mechanism._TABLE.partition(".")
-        if first in ("mechanism", "load"):
+        if first == "mechanism" and not (len(rest) > 1 and rest[0] != own and _is_mechanism(str(rest[0]))):
             inner = rest[1:] if len(rest) > 1 and rest[0] == own else rest
             first, rest = table, [*([own] if own else []), *inner]
         return joined([first, *rest])
@@ -292,6 +304,13 @@ def _without_empty(document: Document) -> Document:
     return found
 
 
+def _is_mechanism(name: str) -> bool:
+    """Returns true for the table of a mechanism: `arm` of `[mechanism.arm]`."""
+    from antrieb import sections
+
+    return any(isinstance(of, type) and issubclass(of, Load) and of._TABLE == f"mechanism.{name}" for of in vars(sections).values())
+
+
 def joined(steps: Iterable[str | int]) -> str:
     """Returns the parts of a path as the file has it: `motion[1].payload`."""
     out = ""
@@ -389,6 +408,8 @@ def load(path: str | os.PathLike[str]) -> Axis | Project:
         raise TypeError(f"load takes the path of a project file, not {type(path).__name__}; loads takes its text")
     from antrieb.questions import moves
 
+    if "\0" in os.fsdecode(path):
+        raise fault(f"path: {os.fsdecode(path)!r:.60} has a character with the number zero", "leave it out")
     file = pathlib.Path(path)
     # Files that an editor of Windows wrote.
     try:
@@ -400,14 +421,15 @@ def load(path: str | os.PathLike[str]) -> Axis | Project:
     return loads(text, name=os.fspath(path), folder=file.parent)
 
 
-def to_source(of: Any) -> ProjectSource | None:
-    """Returns what a question takes as a project: an axis, a project, or several axes; `None` for a text or a path."""
+def to_source(of: Any, name: str = "text") -> ProjectSource | None:
+    """Returns what a question takes as a project: an axis, a project, or several axes; `None` for a text or a path. In faults it is
+    the argument of this name."""
     if isinstance(of, ProjectSource):
         return of
     each: list[Any] = list(of) if isinstance(of, (list, tuple)) else []
     for place, one in enumerate(each, 1):
         if not isinstance(one, BaseAxis):
-            raise TypeError(f"a list of axes has axes only; entry {place} is {type(one).__name__}")
+            raise TypeError(f"{name}: a list of axes has axes only; entry {place} is {type(one).__name__}")
     if each:
         from antrieb.sections import Project
 

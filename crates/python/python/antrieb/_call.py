@@ -9,14 +9,14 @@ import os
 import re
 from collections.abc import Iterable, Mapping, Sequence, Set
 from datetime import date, timedelta
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 from antrieb import _antrieb, _origin
 from antrieb._axis import BaseProject, to_source
 from antrieb._decode import decoder
 from antrieb._fault import fault
 from antrieb._lazy import lazy
-from antrieb._plain import is_time, listed, number_of, seconds
+from antrieb._plain import is_time, listed, number_of, seconds, shown
 from antrieb._plain import text as plain_text
 from antrieb._quantity import Q, Quantity, of_pint
 from antrieb._source import Handed, ProjectSource, folder_text
@@ -143,20 +143,22 @@ class Picture:
         """Write it to a file that ends in `.svg`.
 
         Raises:
-            ValueError: The path has another ending; there are no other formats.
+            AntriebError: The path has another ending; there are no other formats.
         """
         ending: str = os.path.splitext(str(path))[1]
         if ending.lower() != ".svg":
-            raise ValueError(f"save: a picture is SVG and no other format is written; the path ends in .svg, not in {ending or 'nothing'}")
+            raise fault(f"save: a picture is SVG and no other format is written; the path ends in .svg, not in {ending or 'nothing'}")
         with open(path, "w", encoding="utf-8") as file:
             file.write(self.svg)
 
 
 def handed(text: Text, name: str | None, folder: Path | None, others: bool = False) -> Handed:
-    """A text with its name, its folder and the recordings that it holds; of a path no text. With others the folder may be theirs."""
+    """A text with its name, its folder and the recordings that it holds; of a path no text. With others, whose argument is the name,
+    the folder may be theirs."""
+    which = name if others and name else "text"
     name = name_of("file", name)
     if isinstance(text, str):
-        text = plain_text(text, "text")
+        text = plain_text(text, which)
     if isinstance(text, str) and ("\n" in text or not text or ("=" in text and not os.path.exists(text))):
         return text, name or "text", folder_text(folder), {}
     if isinstance(text, (str, os.PathLike)):
@@ -165,11 +167,11 @@ def handed(text: Text, name: str | None, folder: Path | None, others: bool = Fal
         if name is not None and not others:
             raise TypeError("file is what a text is called in faults; a path has its own name: leave it out")
         return None, os.fspath(text), "", {}
-    source = to_source(text)
+    source = to_source(text, which)
     # Callers without a type checker.
     if source is None:
         raise TypeError(
-            f"a project is an Axis, a list of axes, a text or the path of its file, not {_named(text)}"
+            f"{which}: a project is an Axis, a list of axes, a text or the path of its file, not {_named(text)}"
         )
     own = source._handed()  # pyright: ignore[reportPrivateUsage]
     return own[0], name or own[1], folder_text(folder) if folder is not None else own[2], own[3]
@@ -203,16 +205,55 @@ def _own(text: str | None) -> str | None:
     return "`".join(parts)
 
 
+WORD_MOST = 200
+"""Characters of a word that a fault quotes whole."""
+
+TEXT_MOST = 4000
+"""Characters of a text in a fault."""
+
+
+def _short(text: str) -> str:
+    """A text of a fault whose long words are cut."""
+    if len(text) <= WORD_MOST:
+        return text
+    text = re.sub(rf"\S{{{WORD_MOST},}}", lambda found: f"{found[0][:WORD_SHOWN]}…", text)
+    return text if len(text) <= TEXT_MOST else f"{text[:TEXT_MOST]}…"
+
+
+WORD_SHOWN = 80
+"""Characters of a longer word."""
+
+
 def _arguments(record: dict[str, Any]) -> dict[str, Any]:
     """The record of a fault with the names of Python."""
 
-    def named(fault: dict[str, Any]) -> dict[str, Any]:
+    def named(given: dict[str, Any]) -> dict[str, Any]:
+        fault = {name: _short(value) if isinstance(value, str) else value for name, value in given.items()}
         own = {name: _own(fault[name]) for name in ("message", "hint") if fault.get(name)}
         if fault.get("option"):
             own["option"] = argument(fault["option"])
         return {**fault, **own}
 
     return {**record, "errors": [named(fault) for fault in record.get("errors", [])]}
+
+
+def _of_arguments(value: Any) -> Any:
+    """The record of an answer whose assumptions and notes name arguments in place of options."""
+    found: Any = value
+    if isinstance(value, list):
+        return [_of_arguments(each) for each in found]
+    if not isinstance(value, dict):
+        return value
+    own: dict[str, Any] = {}
+    for key, each in found.items():
+        if key == "why" and isinstance(each, str):
+            own[key] = _own(each)
+        elif key == "notes" and isinstance(each, list):
+            notes = cast("list[Any]", each)
+            own[key] = [_own(note) if isinstance(note, str) else _of_arguments(note) for note in notes]
+        else:
+            own[key] = _of_arguments(each)
+    return own
 
 
 def placed(error: AntriebError, given: Iterable[tuple[str, str]], folders: Sequence[str] = ()) -> AntriebError:
@@ -234,6 +275,8 @@ def placed(error: AntriebError, given: Iterable[tuple[str, str]], folders: Seque
 
 def _quotes(message: str, value: str) -> bool:
     """Returns true if a message is about a value: a sign alone counts between quotes."""
+    if len(value) > WORD_MOST:
+        return value[: WORD_SHOWN // 2] in message
     found = re.escape(value)
     return bool(re.search(rf"(?<!\w){found}(?!\w)" if len(value) > 1 else rf"[\"„“`']{found}[\"“”`']", message))
 
@@ -247,7 +290,19 @@ def of_objects(error: AntriebError, texts: Sequence[Text]) -> AntriebError:
         return error
     from antrieb._argument import by_argument
 
-    return by_argument(error, text)
+    return by_argument(error, text, source._handed()[3])  # type: ignore[union-attr]  # pyright: ignore
+
+
+def with_nearest(error: AntriebError) -> AntriebError:
+    """The exception of a table with the nearest codes of the first one that is wrong."""
+    wrong = next((fault for fault in error.record.get("errors", []) if str(fault.get("id", "")).startswith("code_") and fault.get("heading")), None)
+    if wrong is None or "nearest" in error.record:
+        return error
+    try:
+        _antrieb.ask("code parse", [], [("code", str(wrong["message"]).partition(":")[0])], "en", None, None, False)
+    except AntriebError as found:
+        error.nearest = found.nearest
+    return error
 
 
 _TRACE = re.compile(r"\b(?:trace|Verlauf)\b")
@@ -260,18 +315,18 @@ def flag(name: str, value: Any) -> bool:
         return value
     if type(value).__name__ in ("bool", "bool_") and hasattr(value, "item"):
         return bool(value)
-    raise TypeError(f"{name} is True or False, not {value!r:.40}")
+    raise TypeError(f"{name} is True or False, not {shown(value)}")
 
 
 def _written(value: Any, name: str = "") -> str:
     place = f"{argument(name)}: " if name else ""
     if isinstance(value, bool):
         return "true" if value else "false"
-    if isinstance(value, date):
-        return value.isoformat()
+    if isinstance(value, date) or getattr(getattr(value, "dtype", None), "kind", "") == "M":
+        return _day(value, argument(name) if name else "text")
     if isinstance(value, str):
         if not value.strip() and name != "code":
-            raise ValueError(f"{place}the text is empty; leave the argument out, or write a value")
+            raise fault(f"{place}the text is empty", "leave the argument out, or write a value")
         return plain_text(value, argument(name) if name else "text")
     if hasattr(value, "__fspath__"):
         return os.fsdecode(value)
@@ -283,7 +338,8 @@ def _written(value: Any, name: str = "") -> str:
             raise TypeError(f"{place}one quantity is expected, not {len(found)}")
         return found.texts[0]
     if is_time(value):
-        return f"{seconds(value, argument(name) if name else 'text')[0]!r} s"
+        found_s = seconds(value, argument(name) if name else "text")[0]
+        return _days(found_s, name) if name in INTERVALS else f"{found_s!r} s"
     if isinstance(value, sections.Body):
         return _body_text(value)
     if name == HOURS:
@@ -297,12 +353,42 @@ def _written(value: Any, name: str = "") -> str:
 
 
 
+def _day(value: Any, name: str) -> str:
+    """A day as a text; an instant at midnight is its day.
+
+    Raises:
+        AntriebError: It has a time of day, or is none.
+    """
+    if getattr(value, "ndim", 0):
+        raise TypeError(f"{name}: one day is expected, such as '2026-03-01', not an array")
+    day = str(value.astype("datetime64[D]")) if hasattr(value, "astype") else value.isoformat().partition("T")[0]
+    is_midnight = value == value.astype("datetime64[D]") if hasattr(value, "astype") else value.isoformat()[10:19] in ("", "T00:00:00") and not getattr(value, "microsecond", 0) and not getattr(value, "nanosecond", 0)
+    if not is_midnight:
+        raise fault(f"{name}: a day is expected, not {str(value):.40}", f'write "{day}"' if day != "NaT" else "write one such as 2026-03-01")
+    return day
+
+
 def _body_text(body: sections.Body) -> str:
     """A body as a text: `disc diameter=300mm length=20mm mass=5kg`."""
     fields = dict(body._document())  # pyright: ignore[reportPrivateUsage]
     shape = fields.pop("shape", "")
     return " ".join([shape, *(f"{key}={str(value).replace(' ', '', 1).replace(' ', '*')}" for key, value in fields.items())])
 
+
+def _days(found_s: float, name: str) -> str:
+    """An interval of the calendar as a text.
+
+    Raises:
+        AntriebError: It has parts of days.
+    """
+    days, rest = divmod(found_s, 86400)
+    if rest or days < 1:
+        raise fault(f"{argument(name)}: whole days are expected, not {found_s!r:.40} s", f'write {argument(name)}="6 months" or a timedelta of days')
+    return f"{int(days)} days"
+
+
+INTERVALS = ("inspect", "storage")
+"""Arguments that are intervals of the calendar."""
 
 HOURS = "hours-per-day"
 """Argument whose unit is its name: `8` and `5.5` are hours."""
@@ -312,6 +398,15 @@ SEVERAL = frozenset({"body", "change", "check", "code", "key", "signals"})
 
 WHOLE = frozenset({"cycles", "days", "samples", "seed", "top"})
 """Arguments that are whole numbers."""
+
+
+WORDS = frozenset({"author", "company", "customer", "name", "number", "order", "revision", "title"})
+"""Arguments that are texts of the user."""
+
+
+def _text(value: Any, name: str) -> None:
+    if value is not None and not isinstance(value, (str, os.PathLike)):
+        raise TypeError(f"{argument(name)} is a text, not {shown(value)}")
 
 
 def _whole(value: Any, name: str) -> None:
@@ -364,9 +459,14 @@ def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
     for name, value in values:
         if name in WHOLE:
             _whole(value, name)
+        if name in WORDS:
+            _text(value, name)
         if value is None or value is False:
             continue
         each = each_of(value, name)
+        # Without the argument it is an empty tuple.
+        if not each and not (name == "check" and type(value) is tuple):
+            raise fault(f"{argument(name)}: the list is empty", "leave the argument out, or write a value")
         if name not in SEVERAL and (len(each) != 1 or each[0] is not value):
             raise TypeError(f"{argument(name)}: one value is expected, not {type(value).__name__}")
         found.extend((name, _written(one, name)) for one in each)
@@ -401,6 +501,8 @@ def ask(
     lang_id = language(lang)
     pairs_given = list(pairs)
     given = pairs_of([*pairs_given, ("lang", lang)])
+    if command != "compare" and len([name for name, _ in given if name == "code"]) > 1:
+        raise fault("code: one ordering code is expected, not a list of them", "antrieb.compare(project, codes) takes several")
     by_axes = any(isinstance(text, (BaseProject, list, tuple)) for text in texts) and not dict(pairs_given).get("axis")
     held = [value for _, value in pairs_given if isinstance(value, HeldFile)]
     try:
@@ -413,7 +515,7 @@ def ask(
         for each in held:
             each.end()
     if media == JSON:
-        answer = decoder(of())(json.loads(body))
+        answer = decoder(of())(_of_arguments(json.loads(body)) if b"--" in body else json.loads(body))
         if len(texts) == 1:
             named = {"file": file, "folder": folder_text(folder) or None, "deadline": deadline, "memory": memory}
             _origin.attach(answer, _origin.Origin.of(texts[0], pairs_given, lang, **named))

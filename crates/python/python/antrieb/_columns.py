@@ -95,7 +95,7 @@ def columns(table: Any, source: ProjectSource | None = None, grid: bool = False,
         values: Any = given
         unit: str | None = None
         is_key = is_of_project(key) and "." in heading(key, source)
-        if is_key and is_time(given):
+        if (is_key or key.partition(" [")[0].strip().lower() in TIMES) and is_time(given):
             values = _times(given, key, name)
         elif is_key and " [" not in key:
             values = _quantities(given, key)
@@ -126,6 +126,10 @@ def columns(table: Any, source: ProjectSource | None = None, grid: bool = False,
     return list(found.items())
 
 
+TIMES = ("time", "zeit", "dauer", "duration", "schaltzeit", "cycle", "cycle_time", "zyklus", "zykluszeit", "taktzeit", "pause")
+"""Words for times of a project."""
+
+
 def _one_text(key: Any, value: str, name: str) -> list[str]:
     """A text as the only value of its column; a number alone is none, as it is none without quotes."""
     found = split_text(value)
@@ -152,6 +156,9 @@ def _quantities(values: Any, key: str) -> Any:
     if not isinstance(texts, list):
         return values
     known = [each for each in texts if not _is_empty(each)]
+    band = next((each for each in known if isinstance(each, str) and ("±" in each or "+/-" in each)), None)
+    if band is not None:
+        raise fault(f"{key}: {band!r:.40} has a tolerance, and the values of a sweep have none", "state the tolerance in the project, and judge it with size or check")
     found = columns_of(known, key) if known and all(isinstance(each, str) for each in known) else None
     if found is None or len(known) == len(texts):
         return found or values

@@ -10,7 +10,7 @@ import typing
 from collections.abc import Callable
 from typing import Any, Literal
 
-from antrieb._record import Record, Rows
+from antrieb._record import Named, Record, Rows
 
 Decoder = Callable[[Any], Any]
 
@@ -62,7 +62,11 @@ def _rows(of: Any) -> Decoder:
 def _map(of: Any) -> Decoder:
     def decode(values: dict[str, Any]) -> dict[str, Any]:
         each = decoder(of)
-        return values if each is _as_it_is else {name: each(value) for name, value in values.items()}
+        if each is _as_it_is:
+            return values
+        made = {name: each(value) for name, value in values.items()}
+        # Shown as a table, as a list of records is.
+        return Named(made) if made and all(isinstance(one, Record) for one in made.values()) else made
 
     return decode
 

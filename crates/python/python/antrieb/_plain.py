@@ -171,7 +171,9 @@ def number_of(value: Any, name: str) -> float:
         value = value.item()
     elif hasattr(value, "as_py") and not hasattr(value, "__len__"):
         value = value.as_py()
-    if isinstance(value, (bool, str, bytes, bytearray, complex, type, list, tuple)) or value is None or hasattr(value, "__len__"):
+    # A complex long double is none of Python.
+    is_complex = getattr(getattr(value, "dtype", None), "kind", "") == "c"
+    if is_complex or isinstance(value, (bool, str, bytes, bytearray, complex, type, list, tuple)) or value is None or hasattr(value, "__len__"):
         raise TypeError(f"{name}: a number is expected, not {shown(value)}")
     if isinstance(value, int):
         number: Any = int(value)

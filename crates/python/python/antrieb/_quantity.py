@@ -121,6 +121,7 @@ _WORDS = {
     "kelvin": "K",
     "revolutions_per_minute": "rpm",
     "turn": "rev",
+    "gram": "g",
     "pound": "lb",
     "force_pound": "lbf",
     "standard_gravity": "g",
@@ -152,12 +153,12 @@ def q(value: Any, unit: Any) -> Q:
             refused with any other.
     """
     if isinstance(value, Q) or (hasattr(value, "magnitude") and hasattr(value, "units")):
-        raise TypeError("q: the value has a unit already; hand it over as it is")
+        raise TypeError("value: the quantity has a unit already; hand it over as it is")
     own = unit_of(unit)
     if is_time(value):
-        found = seconds(value, "q", unit=unit_of_time(own, "q"))
+        found = seconds(value, "value", unit=unit_of_time(own, "value"))
         return Q(tuple(found) if _is_several(value) else found[0], own)
-    return Q(_numbers(value, "q"), own)
+    return Q(_numbers(value, "value"), own)
 
 
 def _is_several(value: Any) -> bool:
@@ -335,12 +336,21 @@ _LATEX = (
     (r"\\[ ,;]|~", " "),
     (r"\\[\[\]]|\$", ""),
 )
+_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
+_EXPONENT = re.compile(r"(?<=\d) *(?:×|\\times) *10 *(?:\^\{([+-]?\d+)\}|<sup>([+-]?\d+)</sup>|([⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+))")
+_SIUNITX = re.compile(r"\\(?:SI|qty)(?:\[[^\]]*\])?\{([^{}]*)\}\{((?:[^{}]|\{[^{}]*\})*)\}")
+_MACRO = re.compile(r"\\([A-Za-z_]+)(?:\{([^{}]*)\})?")
+_POWERS = {"square": 2, "cubic": 3, "squared": 2, "cubed": 3}
+_PREFIX_WORDS = ("quecto", "pico", "nano", "micro", "milli", "centi", "deci", "deca", "hecto", "kilo", "mega", "giga", "tera")
 _FRACTION = re.compile(r"\\frac\{([^{}]*)\}\{([^{}]*)\}")
 _HTML = re.compile(r"<sup>([^<]*)</sup>")
 
 
 def _plain(text: str) -> str:
     """Returns a text that pint wrote, in any of its formats, as a project file has it."""
+    text = _EXPONENT.sub(lambda found: "e" + str(found[1] or found[2] or found[3]).translate(_SUPERSCRIPTS), text)
+    if written := _SIUNITX.fullmatch(text.strip()):
+        text = f"{written[1]} {_of_siunitx(written[2])}"
     if "\\" in text:
         for latex, plain in _LATEX:
             text = re.sub(latex, plain, text)
@@ -354,6 +364,28 @@ def _plain(text: str) -> str:
     if re.fullmatch(r"A[ *·]+min", unit):
         unit = "A/(1/min)"
     return text if unit == found[2] else f"{found[1]} {unit}"
+
+
+def _of_siunitx(macros: str) -> str:
+    """Returns the unit of macros of siunitx: `\\kilo\\gram\\meter\\squared` is `kg m^2`."""
+    above: list[str] = []
+    below: list[str] = []
+    prefix, is_below, power, last_is_below = "", False, 0, False
+    for macro, inside in _MACRO.findall(macros):
+        if macro == "per":
+            is_below = True
+        elif macro in ("square", "cubic"):
+            power = _POWERS[macro]
+        elif macro in _PREFIX_WORDS:
+            prefix = macro
+        elif macro in _POWERS or macro == "tothe":
+            side = below if last_is_below else above
+            side[-1:] = [f"{each}^{inside or _POWERS[macro]}" for each in side[-1:]]
+        else:
+            word = str(_WORDS.get(prefix + macro) or prefix + macro)
+            (below if is_below else above).append(word + (f"^{power}" if power else ""))
+            last_is_below, prefix, is_below, power = is_below, "", False, 0
+    return "/".join([" ".join(above) or "1", *below]) if below else " ".join(above)
 
 
 def split(text: str) -> tuple[Decimal, str] | None:

@@ -23,6 +23,10 @@ DERIVED = {"Rejection": ("verdict", "tightest")}
 """Properties that data frames have beside the fields of the JSON, so that all entries of `candidates` have the same columns."""
 
 
+INSTEAD = {("Rejection", "checks"): "of an actuator that does not fit the answer has `check`, which excludes it; antrieb.check(project, code).axes[0].checks has all"}
+"""Where the values are that a record of a list lacks and others of it have."""
+
+
 class Record:
     """An answer, or a part of one: its fields are those of the JSON of the command line."""
 
@@ -31,7 +35,8 @@ class Record:
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> Any:
-            raise AttributeError(f"{type(self).__name__} has no field {name!r}; it has {', '.join(_names(type(self)))}")
+            hint = INSTEAD.get((type(self).__name__, name), "it has " + ", ".join(_names(type(self))))
+            raise AttributeError(f"{type(self).__name__} has no field {name!r}; {hint}")
 
     def to_dict(self) -> dict[str, Any]:
         """Return the fields as dictionaries and lists, by the names of Python."""
@@ -120,7 +125,9 @@ def place_of(key: Any, expected: str) -> int:
         TypeError: The key is no whole number.
     """
     try:
-        return operator.index(key)
+        if not isinstance(key, bool):
+            return operator.index(key)
+        raise TypeError
     except TypeError:
         raise TypeError(f"{expected} is expected, not {type(key).__name__}") from None
 
@@ -213,6 +220,22 @@ class Rows(list[T], Generic[T]):
         from antrieb import _shown
 
         return _shown.html_of_rows(self)
+
+
+class Named(dict[str, T], Generic[T]):
+    """Records by their names, shown as a table."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        from antrieb import _shown
+
+        return _shown.text_of_fields(self)
+
+    def _repr_html_(self) -> str:
+        from antrieb import _shown
+
+        return _shown.html_of_fields(self)
 
 
 def _again(of: type[Record], fields: Iterable[Any], origin: Any) -> Record:

@@ -21,12 +21,14 @@ if TYPE_CHECKING:
 ENDING = ".toml"
 
 
-def save(source: BaseAxis | BaseProject, path: str | os.PathLike[str]) -> None:
+def save(source: BaseAxis | BaseProject, path: str | os.PathLike[str], force: bool = False) -> None:
     """Writes a project file, and beside it the recordings that the project uses.
 
     Raises:
-        AntriebError: The path does not end in `.toml`, or another file lies where a recording would be written.
+        AntriebError: The path does not end in `.toml`, or another file lies there or where a recording would be written.
     """
+    from antrieb._call import flag
+
     # Callers without a type checker.
     if not isinstance(path, (str, os.PathLike)):  # pyright: ignore[reportUnnecessaryIsInstance]
         raise TypeError(f"save takes the path of a file, not {type(path).__name__}")
@@ -50,6 +52,8 @@ def save(source: BaseAxis | BaseProject, path: str | os.PathLike[str]) -> None:
             )
     # Nothing is written before everything can be.
     text = renamed(source, names).to_toml()
+    if not flag("force", force) and file.exists() and not _is_own(source, file) and not _is_equal(file, text.encode()):
+        raise fault(f"save: {os.fspath(path)!r} exists and has other content", "save under another name, or with force=True")
     for goal, content in contents.items():
         if goal.exists():
             continue
@@ -60,6 +64,11 @@ def save(source: BaseAxis | BaseProject, path: str | os.PathLike[str]) -> None:
             shutil.copyfile(content, goal)
     # The ends of its lines are those of the text.
     file.write_bytes(text.encode())
+
+
+def _is_own(source: BaseAxis | BaseProject, file: pathlib.Path) -> bool:
+    """Returns true for the file from which a project was loaded."""
+    return source._text is not None and bool(source._name) and pathlib.Path(source._name).resolve() == file.resolve()
 
 
 def used(source: BaseAxis | BaseProject) -> list[str]:

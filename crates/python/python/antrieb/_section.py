@@ -392,11 +392,20 @@ def _as_number(_: Kind, value: Any, where: str) -> float:
     if found is not None and found.unit == "" and not isinstance(found.value, tuple):
         value = found.value
     if isinstance(value, bool) or not isinstance(value, (int, float, Decimal)):
-        raise TypeError(f"{where} is a number, not {_called(value)}")
+        raise TypeError(f"{where} is a number, not {_called(value)}{_share_hint(value, where)}")
     number = number_of(value, where)
     if not math.isfinite(number):
         raise fault(f"{where} is not finite: {number!r}")
     return number
+
+
+def _share_hint(value: Any, where: str) -> str:
+    """What is written for a share in percent."""
+    found = split(value) if isinstance(value, str) else None
+    if found is None or found[1] not in ("", "%", "percent"):
+        return ""
+    last = where.rsplit(".", 1)[-1]
+    return f"; write {last}={_decimal(found[0] / 100 if found[1] else found[0])}"
 
 
 def _integer(_: Kind, value: Any, where: str) -> int:
@@ -455,7 +464,8 @@ def _numbers(kind: Kind, value: Any, where: str) -> tuple[float, ...]:
 
 
 def _texts(kind: Kind, value: Any, where: str) -> tuple[str, ...]:
-    example = '["cylinder diameter=300mm length=20mm density=7850kg/m^3"]'
+    of_bodies = '["cylinder diameter=300mm length=20mm density=7850kg/m^3"]'
+    example = of_bodies if where.endswith(("bodies", "body")) else f"[{value!r:.40}]" if isinstance(value, str) else '["…"]'
     return tuple(_text(kind, each, where) for each in _entries(value, where, example))
 
 
@@ -529,7 +539,7 @@ _STORED: dict[str, Callable[[Kind, Any, str], Any]] = {
 def _called(value: Any) -> str:
     if type(value).__name__ == "MaskedConstant":
         return "a masked value"
-    return repr(value) if isinstance(value, (str, int, float)) else type(value).__name__
+    return f"{value!r:.60}" if isinstance(value, (str, int, float)) else type(value).__name__
 
 
 def _article(name: str) -> str:

@@ -10,7 +10,7 @@ from typing import Any, cast
 
 from antrieb import _antrieb, _mathml
 from antrieb._origin import language
-from antrieb._record import Record, Rows, _flat, _names, _names_of  # pyright: ignore[reportPrivateUsage]
+from antrieb._record import INSIDE, Record, Rows, _columns, _flat, _names, _names_of, _rows  # pyright: ignore[reportPrivateUsage]
 
 LINES = 20
 """Lines of a text."""
@@ -192,7 +192,7 @@ def _judged(record: Any, lang: str) -> View:
     bars = [(check.title, check.utilisation, check.verdict) for check in order if check.margin and check.utilisation is not None]
     # The actuator of a call without a code is an assumption.
     chosen = [each for each in getattr(record, "assumptions", []) if record.code and each.value == record.code]
-    lines = [each.why.replace("--code", "code") for each in chosen]
+    lines = [each.why for each in chosen]
     lines += record.objections
     return View(title, record.verdict, lines, _check_head(lang), rows, [False, False, True, True, False, True], 0, bars)
 
@@ -261,17 +261,60 @@ def _result(check: Any, lang: str) -> str:
     return verdict if not share else share if check.verdict == "pass" else f"{verdict} {share}"
 
 
+LINES_ABOVE = 7
+"""Lines of fields above a table."""
+
+
 def _any(record: Any, lang: str) -> View:
+    listed = _listed(record)
     lines: list[str] = []
     for name in _names(type(record)):
         value = getattr(record, name)
-        if value is None or value == []:
+        if value is None or value == [] or name == listed:
             continue
         lines.append(cut(f"  {name}: {_brief(value, lang)}"))
-    shown, left = lines[: LINES - 2], len(lines) - (LINES - 2)
+    most = LINES_ABOVE if listed else LINES - 2
+    shown, left = lines[:most], len(lines) - most
     if left > 0:
         shown.append(f"  … {left}")
-    return View(type(record).__name__, "", ["  " + line.strip() for line in shown], [], [], [], 0, [])
+    entries: list[Any] = list(getattr(record, listed)) if listed else []
+    head, rows, right = _table_of(entries, lang) if entries else ([], [], [])
+    return View(type(record).__name__, str(getattr(record, "verdict", None) or ""), ["  " + line.strip() for line in shown], head, rows, right, 0, [])
+
+
+def _table_of(entries: list[Any], lang: str) -> tuple[list[str], Cells, list[bool]]:
+    """The table of a list: a row for each entry, or for each of what the entries hold, behind the name of the entry."""
+    if type(entries[0]).__name__ == "Curve":
+        peaks = [{**_flat(each), "points": len(each.points), "T": max((point[1] for point in each.points), default=None)} for each in entries]
+        return _columns_view(_columns(peaks), lang)
+    columns = _columns(_rows(entries))
+    inside = INSIDE.get(type(entries[0]).__name__, "") + "."
+    names = [name for name in columns if name.startswith(inside)]
+    if not names:
+        return _columns_view(columns, lang)
+    if f"{inside}title" in names:
+        names = [name for name in names if name != f"{inside}id"]
+    first = next(name for name in columns if not name.startswith(inside))
+    order = {name: place for place, name in enumerate(FIRST)}
+    names.sort(key=lambda name: order.get(name.removeprefix(inside), len(FIRST)))
+    return _columns_view({first: columns[first], **{name.removeprefix(inside): columns[name] for name in names}}, lang, False)
+
+
+FIRST = ("title", "symbol", "name", "pin", "signal", "verdict", "value", "unit", "limit")
+"""Columns of what the entries of a list hold that are shown first."""
+
+
+TABLES = {"Wiring": "connectors", "Upkeep": "plan"}
+"""Lists that a table shows although another list is longer."""
+
+
+def _listed(record: Any) -> str:
+    """The list of a record that its table shows: the longest one of records; empty without one."""
+    if getattr(record, TABLES.get(type(record).__name__, ""), None):
+        return TABLES[type(record).__name__]
+    lists = {name: cast("list[Any]", value) for name in _names(type(record)) if isinstance(value := getattr(record, name), list)}
+    lengths = {name: len(value) for name, value in lists.items() if value and all(isinstance(each, Record) for each in value)}
+    return max(lengths, key=lambda name: lengths[name]) if lengths else ""
 
 
 def _brief(value: Any, lang: str) -> str:
@@ -382,13 +425,19 @@ def _rows_view(rows: Any) -> tuple[list[str], Cells, list[bool]]:
     lang = next((language(each) for each in rows), "en")
     if rows and all(type(each).__name__ in ("Check", "Explained") for each in rows):
         return _check_head(lang), [_check_row(each, lang) for each in rows], [False, False, True, True, False, True]
-    columns = rows._columns()
+    return _columns_view(rows._columns(), lang)
+
+
+def _columns_view(columns: Mapping[str, list[Any]], lang: str, is_sorted: bool = True) -> tuple[list[str], Cells, list[bool]]:
+    """Heads, cells and alignment of the first columns that have values."""
     names = [name for name, values in columns.items() if any(value is not None for value in values)]
     # The first column names the row.
-    names.sort(key=lambda name: (name not in ("id", "code", "name", "axis", "key", "symbol"),))
+    if is_sorted:
+        names.sort(key=lambda name: (name not in ("id", "code", "name", "axis", "key", "symbol"),))
     names = names[:COLUMNS]
     is_number = [all(value is None or isinstance(value, (int, float)) for value in columns[name]) for name in names]
-    cells = [[cut(number(columns[name][at], lang), 32) for name in names] for at in range(len(rows))]
+    count = max((len(values) for values in columns.values()), default=0)
+    cells = [[cut(number(columns[name][at], lang), 32) for name in names] for at in range(count)]
     return names, cells, is_number
 
 
@@ -404,6 +453,25 @@ def text_of_rows(rows: Any) -> str:
     if len(cells) > room:
         lines.append(f"… {len(cells) - room}")
     return "\n".join(lines)
+
+
+def _fields_view(fields: Mapping[str, Any]) -> tuple[list[str], Cells, list[bool]]:
+    lang = next((language(each) for each in fields.values()), "en")
+    return _columns_view(_columns([{"id": name, **_flat(each)} for name, each in fields.items()]), lang)
+
+
+def text_of_fields(fields: Mapping[str, Any]) -> str:
+    """Records by their names in at most 20 lines."""
+    head, cells, right = _fields_view(fields)
+    room = LINES - 3
+    return "\n".join([*table(head, cells[:room], right), *([f"… {len(cells) - room}"] if len(cells) > room else [])])
+
+
+def html_of_fields(fields: Mapping[str, Any]) -> str:
+    """Records by their names in a notebook."""
+    head, cells, right = _fields_view(fields)
+    more = f"<p>… {len(cells) - ROWS_OF_HTML}</p>" if len(cells) > ROWS_OF_HTML else ""
+    return _html_table(head, cells[:ROWS_OF_HTML], right) + more
 
 
 def html_of_rows(rows: Any) -> str:

@@ -11,7 +11,7 @@ from antrieb import _antrieb
 from antrieb._antrieb import Table
 from antrieb._arrow import ArrowArray, ArrowSchema, ArrowStream
 from antrieb._axis import to_source
-from antrieb._call import AntriebError, Lang, Path, Text, TimeLimit, flag, handed, language, of_objects, pairs_of, unit_text
+from antrieb._call import AntriebError, Lang, Path, Text, TimeLimit, flag, handed, language, of_objects, pairs_of, unit_text, with_nearest
 from antrieb._called import called
 from antrieb._columns import keyed, matched
 from antrieb._fault import fault
@@ -68,7 +68,7 @@ class Sweep:
         try:
             self._sweep = _antrieb.Sweep(*given)
         except AntriebError as error:
-            raise of_objects(error, (text,)) from None
+            raise with_nearest(of_objects(error, (text,))) from None
         self._empty = self._sweep.made_of[1]
 
     def __reduce__(self) -> tuple[Callable[..., Sweep], tuple[Any, ...]]:
@@ -116,7 +116,7 @@ class Sweep:
             try:
                 return self._sweep.table(rows, unit_text("deadline", deadline), observer)
             except AntriebError as error:
-                raise self._typed(error, "table") from None
+                raise with_nearest(self._typed(error, "table")) from None
 
     def batch(self, batch: TableLike, first_row: int = 0) -> Table:
         """The answers of a part of a table, at most `rows_most` rows, whose first row has this number; a fault of a cell is in the column `error`."""
@@ -126,7 +126,7 @@ class Sweep:
         except TypeError:
             raise TypeError(f"first_row: a whole number from 0 is expected, not {type(first_row).__name__}") from None
         if not 0 <= first_row < 1 << 63:
-            raise ValueError(f"first_row: a whole number from 0 to 2^63 is expected, not {first_row}")
+            raise fault(f"first_row: a whole number from 0 to 2^63 is expected, not {first_row}")
         try:
             return self._sweep.batch(rows, first_row)
         except AntriebError as error:
@@ -226,4 +226,4 @@ def sweep(
         try:
             return _antrieb.Sweep.whole(project, rows, options, lang, limit, is_repeated, until, observer)
         except AntriebError as error:
-            raise of_objects(error, (text,)) from None
+            raise with_nearest(of_objects(error, (text,))) from None

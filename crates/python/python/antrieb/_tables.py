@@ -18,7 +18,8 @@ from typing import Any, cast
 
 from antrieb._antrieb import Table
 from antrieb._arrow import ArrowArray, ArrowStream
-from antrieb._plain import aligned, listed, ordered, refuse_times, text
+from antrieb._fault import fault
+from antrieb._plain import aligned, listed, number_of, ordered, refuse_times, text
 from antrieb._quantity import Q, columns_of, of_pint
 
 Column = tuple[str, Any]
@@ -41,7 +42,7 @@ def arrow(table: Any, name: str = "table") -> ArrowStream | ArrowArray:
 
     Raises:
         TypeError: It is no table, or a column of it cannot be read; the message says what to write.
-        ValueError: Its columns have different lengths, or two have one name.
+        AntriebError: Its columns have different lengths, or two have one name.
     """
     module = type(table).__module__.partition(".")[0]
     if not isinstance(table, Table) and (module in ("pandas", "polars") or not _is_arrow(table)):
@@ -123,7 +124,7 @@ def joined(columns: Sequence[Column], name: str = "table") -> Any:
     lengths = {heading: len(values) for heading, values in columns}
     if len(set(lengths.values())) > 1:
         shown = ", ".join(f"{heading!r} has {count}" for heading, count in list(lengths.items())[:6])
-        raise ValueError(f"{name}: the columns have different lengths: {shown}")
+        raise fault(f"{name}: the columns have different lengths: {shown}", "give each a value for each row")
     if all(isinstance(values, list) and not _is_wide(values) for _, values in columns):
         return Table.from_pydict(dict(columns))
     is_polars = any(type(values).__module__.startswith("polars") for _, values in columns)
@@ -201,7 +202,18 @@ def _heading(heading: Any, name: str) -> str:
     """A heading as a plain text."""
     if not isinstance(heading, str):
         raise TypeError(f"{name}: a heading is a text such as 'load.inertia [kg m^2]', not {heading!r}")
-    return text(heading, f"{name}: a heading")
+    return _without_nul(text(heading, f"{name}: a heading"), name)
+
+
+def _without_nul(heading: str, name: str) -> str:
+    """Refuses a heading that no table of Arrow can have.
+
+    Raises:
+        AntriebError: It has a character with the number zero.
+    """
+    if "\0" in heading:
+        raise fault(f"{name}: the heading {heading!r:.60} has a character with the number zero", "leave it out")
+    return heading
 
 
 def _by_labels(columns: Mapping[Any, Any], name: str) -> dict[Any, Any]:
@@ -325,7 +337,11 @@ def _value(value: Any, place: str, row: int) -> Any:
         raise TypeError(f"{place}, row {row}: a quantity among the cells; give the column as antrieb.q([…], unit), or numbers below a heading with the unit")
     refuse_times(value, f"{place}, row {row},")
     if hasattr(value, "item") and getattr(value, "ndim", 1) == 0:
-        return _value(value.item(), place, row)
+        inner = value.item()
+        if type(inner) is type(value):
+            # A long double is none of Python; a complex one is no number of a column.
+            return _value(number_of(value, f"{place}, row {row}"), place, row)
+        return _value(inner, place, row)
     raise TypeError(f"{place}, row {row}: a number, a text or None is expected, not {kind}")
 
 
@@ -341,7 +357,7 @@ def _rows(rows: Iterable[Any], name: str) -> list[Column]:
             values.append(fields.get(heading))
         count += 1
     if count == 0:
-        raise ValueError(f"{name}: there is no row, and so no heading")
+        raise fault(f"{name}: there is no row, and so no heading", f"write one such as {EXAMPLE}")
     return _listed(columns, name)
 
 
@@ -431,6 +447,7 @@ def _polars(table: Any, name: str) -> list[Column]:
         raise TypeError(f"{name}: a {type(table).__name__} of polars is one column; take series.to_frame('load.inertia [kg m^2]')")
     found: list[Column] = []
     for heading in table.columns:
+        _without_nul(heading, name)
         is_listed = str(table[heading].dtype) in AS_LIST
         found.append((heading, _column(table[heading].to_list(), heading, name) if is_listed else table[heading]))
     return found
@@ -446,4 +463,4 @@ def _relation(table: Any, name: str) -> list[Column]:
 def _once(headings: list[Any], name: str) -> None:
     twice = sorted({str(heading) for heading in headings if headings.count(heading) > 1})
     if twice:
-        raise ValueError(f"{name}: two columns are called {', '.join(twice)}")
+        raise fault(f"{name}: two columns are called {', '.join(twice)}", "give each a name of its own")

@@ -13,11 +13,12 @@ import tempfile
 from collections.abc import Mapping
 from typing import Any
 
+from antrieb import _antrieb
 from antrieb._arrow import ArrowArray, ArrowStream
 from antrieb._fault import fault
 from antrieb._plain import is_time, refuse_times, seconds
 from antrieb._quantity import Q, of_pint
-from antrieb._tables import arrow, of_cells, of_columns
+from antrieb._tables import arrow, of_cells, of_columns, split
 
 Trace = str | os.PathLike[str] | bytes | ArrowStream | ArrowArray | Mapping[str, Any]
 """A recorded run: the path of its file, a text of several lines, the bytes of a file, or a table with the columns of one:
@@ -65,10 +66,14 @@ class HeldFile:
 def held(name: str, given: Any) -> Any:
     """A path as it is; a text, bytes or a table as a file for the time of a call."""
     path: Any = given
-    if isinstance(given, bytes):
-        if not given:
-            raise ValueError(f"{name}: the file is empty")
-        return HeldFile(given, name)
+    if hasattr(given, "read") and not hasattr(given, "columns"):
+        # An open file, as `io.BytesIO` is one.
+        return held(name, given.read())
+    if isinstance(given, (bytes, bytearray, memoryview)):
+        content = bytes(path)
+        if not content:
+            raise fault(f"{name}: the file is empty")
+        return HeldFile(content, name)
     if isinstance(given, str):
         return HeldFile(given.encode(), name) if "\n" in given else given
     if isinstance(given, os.PathLike):
@@ -92,11 +97,18 @@ def _is_table(given: Any) -> bool:
         return bool(rows) and (isinstance(rows[0], Mapping) or dataclasses.is_dataclass(rows[0]) or hasattr(rows[0], "_asdict"))
     if hasattr(given, "dtype"):
         return bool(getattr(given.dtype, "names", None))
-    return isinstance(given, Mapping) or hasattr(given, "__arrow_c_stream__")
+    return isinstance(given, Mapping) or hasattr(given, "__arrow_c_stream__") or hasattr(given, "collect") or _is_relation(given)
+
+
+def _is_relation(given: Any) -> bool:
+    """Returns true for a relation of DuckDB."""
+    return type(given).__module__.partition(".")[0] in ("duckdb", "_duckdb") and hasattr(given, "fetchall")
 
 
 def _columns(given: Any, name: str) -> dict[str, list[Any]]:
-    source: Any = given
+    source: Any = given.collect() if hasattr(given, "collect") and not hasattr(given, "to_dict") else given
+    if _is_relation(source):
+        source = {heading: values.to_pylist() if hasattr(values, "to_pylist") else list(values) for heading, values in split(source, name)}
     if type(source).__module__.startswith("polars"):
         source = source.to_dict(as_series=False)
     elif hasattr(source, "to_pydict"):
@@ -118,21 +130,32 @@ def _columns(given: Any, name: str) -> dict[str, list[Any]]:
             values = quantities
         own, cells, factor = _of_unit(heading, values, name)
         if own in plain:
-            raise ValueError(f"{name}: two columns are {own!r}")
+            raise fault(f"{name}: two columns are {own!r}")
         plain[own], factors[own], headings[own] = cells, factor, heading
     columns: dict[str, list[Any]] = of_columns(plain, name).to_pydict()
     for heading, cells in columns.items():
         if factors[heading] != 1.0:
             columns[heading] = [_times(value, factors[heading], f"{name}: column {heading!r}, row {row}") for row, value in enumerate(cells)]
     if not columns or not next(iter(columns.values())):
-        raise ValueError(f"{name}: the table has no rows")
+        raise fault(f"{name}: the table has no rows", f"write one such as {EXAMPLE}")
     read = {column for column, _ in COLUMNS.values()}
     for heading, cells in columns.items():
+        wrong = next((row for row, value in enumerate(cells) if isinstance(value, bool) or isinstance(value, str) and not _is_number(value)), None)
+        if heading in read and wrong is not None:
+            raise fault(f"{name}: column {headings[heading]!r}, row {wrong}: a number is expected, not {cells[wrong]!r:.40}")
         empty = [row for row, value in enumerate(cells) if value is None or (isinstance(value, float) and not math.isfinite(value))]
         if heading in read and empty:
             more = f" and {len(empty) - 1} more" if len(empty) > 1 else ""
             raise fault(f"{name}: column {headings[heading]!r} has no number in row {empty[0]}{more}", "leave out the instants that were not recorded")
     return columns
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 def _of_unit(heading: Any, values: Any, name: str) -> tuple[Any, Any, float]:
@@ -157,11 +180,12 @@ def _of_unit(heading: Any, values: Any, name: str) -> tuple[Any, Any, float]:
 
 def _factor(unit: str, quantity: str, place: str) -> float:
     """The factor of a unit to that of the trace file, which is that of SI."""
-    for each in units_of(quantity):
-        if unit.replace("*", " ").strip() in (each.unit, each.symbol, each.json, *each.also):
-            return float(each.si)
+    # The spellings are those of the files: `N·m`, `m*N`, `degree`.
+    found = _antrieb.unit_in_si(quantity, unit.strip())
+    if found is not None:
+        return found
     known = ", ".join(each.unit for each in units_of(quantity))
-    raise ValueError(f"{place}: {unit!r} is no unit of {quantity} (units: {known})")
+    raise fault(f"{place}: {unit!r} is no unit of {quantity}", f"units: {known}")
 
 
 @functools.cache
@@ -181,5 +205,5 @@ def _times(value: Any, factor: float, place: str) -> float | None:
     if value is None:
         return None
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise TypeError(f"{place}: a number is expected, not {value!r:.40}")
+        raise fault(f"{place}: a number is expected, not {value!r:.40}")
     return value * factor

@@ -119,6 +119,11 @@ impl Table {
         slf.py().import(intern!(slf.py(), "antrieb._frames"))?.getattr("item")?.call1((slf, key))
     }
 
+    /// Returns true for the heading of a column.
+    fn __contains__(&self, key: &Bound<'_, PyAny>) -> bool {
+        key.extract::<String>().is_ok_and(|key| self.schema.fields().iter().any(|field| *field.name() == key))
+    }
+
     /// The rows as dictionaries.
     fn __iter__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         Ok(frames(slf, "to_dicts")?.try_iter()?.into_any())

@@ -156,7 +156,7 @@ class Times(unittest.TestCase):
                     for mine, other in zip([each * factor * per_second for each in own], an.q(given, unit).values, strict=True):
                         self.assertAlmostEqual(mine, other, delta=1e-9 * abs(mine))
                 for unit in ("kg", "deg", "", "degC"):
-                    with self.assertRaisesRegex(TypeError, "q: times"):
+                    with self.assertRaisesRegex(TypeError, "value: times"):
                         an.q(given, unit)
         for name, given in self.times([0, 20, 1500], True):
             with self.subTest(name), self.assertRaisesRegex(TypeError, "instants"):

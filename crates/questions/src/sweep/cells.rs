@@ -119,6 +119,17 @@ impl Cells<'_> {
         }
     }
 
+    /// Returns the cell of a row alone.
+    pub(super) fn of_row(&self, row: usize) -> Cells<'static> {
+        match self {
+            Self::Numbers(cells) => Cells::Numbers(vec![cells.get(row).copied().flatten()]),
+            Self::Texts(cells) => Cells::Texts(vec![
+                cells.get(row).and_then(|cell| cell.as_ref().map(|text| Cow::Owned(text.clone().into_owned()))),
+            ]),
+            Self::Other(found, _) => Cells::Other(found.clone(), 1),
+        }
+    }
+
     /// Returns `true` if there is no cell.
     #[must_use]
     pub const fn is_empty(&self) -> bool {

@@ -25,6 +25,8 @@ pub struct Head {
     columns: Vec<Option<Column>>,
     faults: TableFaults,
     decimals: Decimals,
+    /// Cells of the first row, and of the last row of the last batch.
+    ends: Vec<Vec<Cells<'static>>>,
     recordings: BTreeSet<String>,
     /// Largest number of codes that a row is judged for.
     codes: usize,
@@ -93,6 +95,7 @@ impl Head {
             columns: Vec::new(),
             faults: TableFaults::default(),
             decimals: Decimals::of(&options),
+            ends: Vec::new(),
             recordings,
             codes,
             names,
@@ -159,9 +162,11 @@ impl Head {
         Ok(column)
     }
 
-    /// Returns the fault of a heading that is the word for something which the motion of the project does not state.
+    /// Returns the fault of a heading that is the word for something which the motion of the project does not state, or for two
+    /// keys.
     fn unknown(&self, heading: &str, known: Option<&[Written]>) -> Option<Objection> {
-        project::without_cycle(known?, &self.axis.path().unwrap_or_default(), heading)
+        let (known, own) = (known?, self.axis.path().unwrap_or_default());
+        project::without_cycle(known, &own, heading).or_else(|| project::readings_of_angle(known, &own, heading))
     }
 
     /// Returns the heading that an unknown one stands for, else one that the project can have.
@@ -180,6 +185,14 @@ impl Head {
         }
         let rows = cells.iter().map(Cells::len).max().unwrap_or(0) as u64;
         self.faults.is_unread |= self.is_misread && first_row + rows >= ROWS_OF_A_REFUSED_TABLE;
+        if let Some(last) =
+            cells.iter().map(Cells::len).max().and_then(|rows| rows.checked_sub(1)).filter(|_| !self.is_misread)
+        {
+            let first = self.ends.is_empty().then_some(0);
+            self.ends.truncate(1);
+            self.ends
+                .extend(first.into_iter().chain([last]).map(|row| cells.iter().map(|each| each.of_row(row)).collect()));
+        }
         for (place, (column, cells)) in self.columns.iter().zip(cells).enumerate() {
             if self.faults.is_enough() {
                 return;
@@ -249,17 +262,21 @@ impl Head {
             why.push(Unanswered::Table { name: table.to_owned(), faults: self.faults });
         }
         match self.axis.place {
-            Some(place) if why.is_empty() => Ok(Sweep {
-                text: self.text,
-                files,
-                axis: (place, self.axis.is_of_several),
-                columns: self.columns.into_iter().flatten().collect(),
-                recordings: self.recordings,
-                codes: self.codes,
-                options: self.options,
-                templates: Templates::default(),
-                screens: Screens::default(),
-            }),
+            Some(place) if why.is_empty() => {
+                let sweep = Sweep {
+                    text: self.text,
+                    files,
+                    axis: (place, self.axis.is_of_several),
+                    columns: self.columns.into_iter().flatten().collect(),
+                    recordings: self.recordings,
+                    codes: self.codes,
+                    options: self.options,
+                    templates: Templates::default(),
+                    screens: Screens::default(),
+                };
+                let faults = sweep.faults_of_all_rows(&self.ends);
+                if faults.is_empty() { Ok(sweep) } else { Err(Unanswered::Table { name: table.to_owned(), faults }) }
+            }
             _ => Err(Unanswered::combined(why)),
         }
     }

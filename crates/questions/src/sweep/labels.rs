@@ -115,6 +115,9 @@ mod tests {
             "line",
             "uuid",
             "__index_level_0__",
+            "serial_s",
+            "joint_deg",
+            "part m",
         ];
         for label in labels {
             let found = TableColumns::of(&["load.inertia [kg m^2]", label]);
@@ -136,6 +139,13 @@ mod tests {
             "duration",
             "stroke",
             "overhang",
+            "time_s",
+            "payload_kg",
+            "mass_kg",
+            "supply_V",
+            "ambient_degC",
+            "inertia_kg_m2",
+            "motion[1].time_s",
         ] {
             let found = TableColumns::of(&["load.mass [kg]", meant]);
             assert_eq!(found.keys, [0, 1], "{meant}");
