@@ -1,7 +1,7 @@
 //! A call of a command as a question: its files are read, its arguments become texts for the list.
 
 use crate::answer::CommandAnswer;
-use crate::changed::changed;
+use crate::changed::{Statements, changed};
 #[cfg(feature = "report")]
 use crate::changed::file_name_of_changes;
 use crate::command::typed::typed;
@@ -133,7 +133,7 @@ pub(crate) fn catalogue_of(named: &[PathBuf], language: Language) -> Result<Arc<
 fn change(files: &mut [File], matches: &ArgMatches, language: Language) -> Result<String, Unanswered> {
     let mut remarks = String::new();
     for file in files {
-        for made in file.change(matches, language)? {
+        for made in file.change(&Statements::of(matches), language)? {
             remarks.push_str(&format!("{}\n", terminal::changed_for_this_call(&made, language)));
         }
         if let Some(assumed) = file.assumed() {
@@ -278,7 +278,7 @@ impl Call<'_> {
             let message = terminal::no_values_of_a_catalogue(self.language).to_owned();
             return Err(Unanswered::option("set", (message, None)));
         }
-        let changed = changed(text, self.matches, self.language)?.map(|changed| (changed.text, changed.made));
+        let changed = changed(text, &Statements::of(self.matches), self.language)?.map(|changed| (changed.text, changed.made));
         if is_stated && changed.is_none() {
             // A table of rows has no keys.
             let message = terminal::no_values_of_a_table(self.language).to_owned();

@@ -5,6 +5,7 @@ pub(crate) mod keys;
 mod load;
 pub(crate) mod mass;
 pub(crate) mod motion;
+pub(crate) mod places;
 mod relative;
 mod value;
 
@@ -13,7 +14,7 @@ use clap::ArgMatches;
 pub(crate) use factor::factor;
 use factor::{any_factor, undecided_factors};
 use project::{
-    Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, loads, paced, stretch, truth, written,
+    Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, paced, stretch, truth, written,
 };
 use quantities::{Language, seen};
 use questions::list::Unanswered;
@@ -36,6 +37,37 @@ const CHANGES_MOST: usize = 6;
 #[cfg(feature = "report")]
 const FILE_NAME_MOST: usize = 80;
 
+/// Changes that a call states.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Statements {
+    pub(crate) sets: Vec<String>,
+    pub(crate) scales: Vec<String>,
+    /// Name of the wanted axis.
+    pub(crate) axis: Option<String>,
+}
+
+impl Statements {
+    /// Returns the changes of a call that the command-line library read.
+    pub(crate) fn of(matches: &ArgMatches) -> Self {
+        let all = |name: &str| -> Vec<String> {
+            let all = matches.try_get_many::<String>(name).ok().flatten();
+            all.map(|all| all.cloned().collect()).unwrap_or_default()
+        };
+        let axis = matches.try_get_one::<String>("axis").ok().flatten().cloned();
+        Self { sets: all("set"), scales: all("scale"), axis }
+    }
+
+    /// Returns the changes among the words of a call.
+    pub(crate) fn of_words(words: &[&str]) -> Self {
+        let all = |option: &str| -> Vec<String> {
+            let behind = words.windows(2).filter(|pair| pair.first() == Some(&option)).filter_map(|pair| pair.get(1));
+            let joined = words.iter().filter_map(|word| word.strip_prefix(option)?.strip_prefix('='));
+            behind.copied().chain(joined).map(str::to_owned).collect()
+        };
+        Self { sets: all("--set"), scales: all("--scale"), axis: all("--axis").pop() }
+    }
+}
+
 /// A text with the changes of a call.
 pub(crate) struct Changed {
     pub(crate) text: String,
@@ -48,16 +80,12 @@ pub(crate) struct Changed {
 ///
 /// # Errors
 /// Every change that cannot be made.
-pub(crate) fn changed(text: &str, matches: &ArgMatches, language: Language) -> Result<Option<Changed>, Unanswered> {
-    let given = |name: &str| -> Vec<String> {
-        let all = matches.try_get_many::<String>(name).ok().flatten();
-        all.map(|all| all.cloned().collect()).unwrap_or_default()
-    };
-    let (sets, scales) = (given("set"), given("scale"));
+pub(crate) fn changed(text: &str, stated: &Statements, language: Language) -> Result<Option<Changed>, Unanswered> {
+    let Statements { sets, scales, axis } = stated;
     if sets.is_empty() && scales.is_empty() {
         return Ok(None);
     }
-    let Some(prefix) = prefix(text, matches.try_get_one::<String>("axis").ok().flatten()) else { return Ok(None) };
+    let Some(prefix) = prefix(text, axis.as_ref()) else { return Ok(None) };
     let (mut changed, mut faults) = (Changed { text: text.to_owned(), made: Vec::new() }, Vec::new());
     let mut keys_set = Vec::new();
     let of = |change: &String| change.split_once('=').map_or_else(String::new, |(key, _)| key.trim().to_owned());
@@ -131,28 +159,21 @@ impl Changed {
 /// Returns the changes of a call as part of a file name: `_mass=60kg_load=1.15`; empty without changes.
 #[cfg(feature = "report")]
 pub(crate) fn file_name_of_changes(matches: &ArgMatches) -> String {
-    let given = |name: &str| -> Vec<String> {
-        let all = matches.try_get_many::<String>(name).ok().flatten();
-        all.map(|all| all.cloned().collect()).unwrap_or_default()
-    };
+    let Statements { sets, scales, .. } = Statements::of(matches);
     let is_plain = |sign: char| sign.is_alphanumeric() || "=.-[]".contains(sign);
     let plain = |change: &String| -> String {
         let signs = change.chars().filter(|sign| !sign.is_whitespace());
         signs.map(|sign| if is_plain(sign) { sign } else { '-' }).collect()
     };
     let all =
-        given("set").iter().chain(&given("scale")).map(|change| format!("_{}", plain(change))).collect::<String>();
+        sets.iter().chain(&scales).map(|change| format!("_{}", plain(change))).collect::<String>();
     all.chars().take(FILE_NAME_MOST).collect()
 }
 
 /// Returns the prefix of the keys of the wanted axis: empty for a project with one; `None` for a text that is no TOML.
 pub(crate) fn prefix(text: &str, wanted: Option<&String>) -> Option<String> {
     let all = written(text)?;
-    let value = |path: &str| all.iter().find(|key| key.path == path).and_then(|key| key.value.clone());
-    let place = (1..).take_while(|place| all.iter().any(|key| key.path == format!("axis[{place}]")));
-    let named =
-        place.into_iter().find(|place| wanted.is_some() && value(&format!("axis[{place}].name")).as_ref() == wanted);
-    Some(named.map(|place| format!("axis[{place}].")).unwrap_or_default())
+    Some(wanted.and_then(|name| places::axis_named(&all, name)).unwrap_or_default())
 }
 
 fn bad(written: &str, option: &str, hint: UsageHint, language: Language) -> Fault {
@@ -172,41 +193,38 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
         return Err(fault);
     }
     let is_value = |key: &&project::Key| !keys::is_table(key.kind);
+    let axes = if prefix.is_empty() { places::axes(&all) } else { Vec::new() };
+    let is_whole = |key: &str| key.starts_with("axis[") || stated(key).is_some();
     let path = match key_at(key.strip_prefix(prefix).unwrap_or(&key)).filter(is_value) {
-        Some(_) if key.starts_with("axis[") || stated(&key).is_some() => key,
-        Some(_) => format!("{prefix}{key}"),
-        None => match &keys::named(&all, prefix, &key, value)[..] {
-            [path] => path.clone(),
-            [] => {
-                let stated: Vec<&str> = all.iter().map(|each| each.path.as_str()).collect();
-                let with_unit = with_units(&all, (prefix, &key), value);
-                let option = |(path, value): &(String, String)| typed(["--set", &format!("{path}={value}")]);
-                let hint = match with_unit.is_empty() {
-                    false => UsageHint::Calls(with_unit.iter().map(option).collect()),
-                    true => UsageHint::Words(keys::nearest(&all, &key, &stated)),
-                };
-                return Err((terminal::set_no_key(&seen(&key), language), Some(usage_hint(&hint, language))));
+        Some(_) if is_whole(&key) => key,
+        Some(_) if axes.is_empty() => format!("{prefix}{key}"),
+        _ => {
+            let of_axes = || axes.iter().flat_map(|axis| keys::named(&all, axis, &key, value)).collect();
+            let mut found = keys::named(&all, prefix, &key, value);
+            found = if found.is_empty() { of_axes() } else { found };
+            if found.is_empty() {
+                found = places::anywhere(&all, prefix, &key, value);
             }
-            found => {
-                // The payloads of several moves have one word.
-                let is_payload = |path: &&String| path.ends_with("].payload");
-                let is_one = found.iter().filter(is_payload).count() < 2;
-                let mut keys: Vec<&str> =
-                    found.iter().filter(|path| is_one || !is_payload(path)).map(String::as_str).collect();
-                keys.extend((!is_one).then_some("payload"));
-                let option = |path: &&str| typed(["--set", &format!("{path}={}", seen(value))]);
-                let hint = UsageHint::Calls(keys.iter().take(NAMED_KEYS_MOST).map(option).collect());
-                let message = match found {
-                    [one, other, ..] => terminal::set_which(&key, one, other, language),
-                    _ => String::new(),
-                };
-                return Err((message, Some(usage_hint(&hint, language))));
+            match <[String; 1]>::try_from(found) {
+                Ok([path]) => path,
+                Err(found) if found.is_empty() => return Err(no_key(&all, (prefix, &key), value, language)),
+                Err(found) => return Err(several_keys(&found, &key, value, language)),
             }
-        },
+        }
     };
     // Without the prefix a key of a project with several axes belongs to none of them.
-    if prefix.is_empty() && !path.starts_with("axis[") && all.iter().any(|each| each.path.starts_with("axis[1]")) {
-        return Err((terminal::set_which_axis(&format!("axis[1].{path}"), language), None));
+    if !axes.is_empty() && !path.starts_with("axis[") && stated(&path).is_none() {
+        let found: Vec<String> = axes.iter().map(|axis| format!("{axis}{path}")).collect();
+        let is_key = |path: &&String| key_at(path).is_some();
+        let found: Vec<String> = found.iter().filter(is_key).cloned().collect();
+        return Err(match found.first() {
+            None => no_key(&all, (prefix, &path), value, language),
+            Some(first) => {
+                let option = |path: &String| typed(["--set", &format!("{path}={}", seen(value))]);
+                let hint = UsageHint::Calls(found.iter().take(NAMED_KEYS_MOST).map(option).collect());
+                (terminal::set_which_axis(first, language), Some(usage_hint(&hint, language)))
+            }
+        });
     }
     if let Some((entry, count)) = keys::no_entry(&all, &path) {
         let call = project::nearest_entry(&all, &path).map(|path| typed(["--set", &format!("{path}={}", seen(value))]));
@@ -235,7 +253,48 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
     };
     let value = relative.as_deref().unwrap_or(value);
     let done = edit(text, &path, Edit::Value(value)).map_err(|fault| (fault.to_string(), None))?;
+    // A change that is reported is one of the project.
+    if done == text && before != value && !(before == "–" && value.is_empty()) {
+        return Err(no_key(&all, (prefix, &path), value, language));
+    }
     Ok((done, format!("{path} {before} → {}", if value.is_empty() { "–" } else { value })))
+}
+
+/// Returns the refusal of a key that the project cannot have, with the lines that have their unit or the nearest key.
+fn no_key(all: &[Written], (prefix, key): (&str, &str), value: &str, language: Language) -> Fault {
+    let stated: Vec<&str> = all.iter().map(|each| each.path.as_str()).collect();
+    let with_unit = with_units(all, (prefix, key), value);
+    let option = |(path, value): &(String, String)| typed(["--set", &format!("{path}={value}")]);
+    let hint = match with_unit.is_empty() {
+        false => UsageHint::Calls(with_unit.iter().map(option).collect()),
+        true => UsageHint::Words(keys::nearest(all, key, &stated)),
+    };
+    (terminal::set_no_key(&seen(key), language), Some(usage_hint(&hint, language)))
+}
+
+/// Returns the refusal of a key that may be one of several, with the line for each; moves that have a word in common have its
+/// line first.
+fn several_keys(found: &[String], key: &str, value: &str, language: Language) -> Fault {
+    // The payloads of several moves have one word.
+    let is_payload = |path: &&String| path.ends_with("].payload");
+    let is_one = found.iter().filter(is_payload).count() < 2;
+    let of_moves = |path: &String| {
+        let (segment, last) = path.rsplit_once('.')?;
+        let is_segment = segment.rsplit_once("motion[").is_some_and(|(_, rest)| !rest.contains('.'));
+        motion::meaning(last).filter(|_| is_segment && !key.eq_ignore_ascii_case(last)).map(|_| last.to_owned())
+    };
+    let word = found.first().and_then(of_moves).filter(|_| is_one);
+    let is_common = word.is_some() && found.iter().all(|path| of_moves(path) == word);
+    let mut keys: Vec<&str> = word.as_deref().filter(|_| is_common).into_iter().collect();
+    keys.extend(found.iter().filter(|path| is_one || !is_payload(path)).map(String::as_str));
+    keys.extend((!is_one).then_some("payload"));
+    let option = |path: &&str| typed(["--set", &format!("{path}={}", seen(value))]);
+    let hint = UsageHint::Calls(keys.iter().take(NAMED_KEYS_MOST).map(option).collect());
+    let message = match found {
+        [one, other, ..] => terminal::set_which(&seen(key), one, other, language),
+        _ => String::new(),
+    };
+    (message, Some(usage_hint(&hint, language)))
 }
 
 /// Returns the refusal of a mass that the axis does not take.
@@ -320,16 +379,7 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
     let undecided = undecided_factors(factor);
     let all = written(text).unwrap_or_default();
     if number.is_none() && !undecided.is_empty() {
-        let found = if what == "load" { loads(&all, prefix) } else { Vec::new() };
-        let calls = match found.len() {
-            0 | 1 => undecided.iter().map(|factor| typed(["--scale", &format!("{what}={factor}")])).collect(),
-            // Of several loads each has its call for each factor.
-            _ => undecided
-                .iter()
-                .filter_map(|factor| any_factor(factor))
-                .flat_map(|factor| load::calls(&found, factor))
-                .collect(),
-        };
+        let calls = undecided.iter().map(|factor| typed(["--scale", &format!("{what}={factor}")])).collect();
         let message = terminal::factor_undecided(&seen(factor), language);
         return Err((message, Some(usage_hint(&UsageHint::Calls(calls), language))));
     }
@@ -337,6 +387,39 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
     let Some(number) = number else {
         return Err(bad(change, "scale", UsageHint::Range("0.001".to_owned(), "1000".to_owned()), language));
     };
+    // Without a wanted axis the factor is one of each.
+    let axes = if prefix.is_empty() { places::axes(&all) } else { Vec::new() };
+    let prefixes: Vec<&str> =
+        if axes.is_empty() { vec![prefix] } else { axes.iter().map(String::as_str).collect() };
+    let (mut done, mut fault) = (None, None);
+    for prefix in prefixes {
+        let before: &str = done.as_deref().unwrap_or(text);
+        match scaled_axis(before, (&all, prefix), (what, number), language) {
+            Ok(Some(changed)) => done = Some(changed),
+            Ok(None) => {}
+            Err(why) => fault = Some(why),
+        }
+    }
+    if let (None, Some(fault)) = (&done, fault) {
+        return Err(fault);
+    }
+    let done = done.filter(|done| done != text || number == 1.0);
+    let said = |done: &str| {
+        let scaled = format!("{} × {}", words::spoken::scaled_name(what, language), unpadded(number, 9, language));
+        format!("{scaled}: {}", values_changed(&all, done))
+    };
+    done.map(|done| (said(&done), done))
+        .map(|(said, done)| (done, said))
+        .ok_or_else(|| (terminal::scale_not_possible(&what, language), None))
+}
+
+/// Returns the text with load, payloads, times or distances of an axis multiplied; `None` if the axis has none.
+fn scaled_axis(
+    text: &str,
+    (all, prefix): (&[Written], &str),
+    (what, number): (&str, f64),
+    language: Language,
+) -> Result<Option<String>, Fault> {
     let further = |way: f64| {
         // A recording has no value that a factor could change, and the roll decides the length of a web.
         let is_given = |key: &project::Written| {
@@ -349,23 +432,12 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
         }
         segments().try_fold(text.to_owned(), |text, key| stretch(&text, &key.path, 1.0, way).ok())
     };
-    let done = match what {
-        "load" => Some(load::scaled(text, (&all, prefix), number, language)?),
+    Ok(match what {
+        "load" => Some(load::scaled(text, (all, prefix), number, language)?),
         "payload" => load_scaled(text, prefix, 1.0, number),
         "time" => paced(text, prefix, number),
         _ => further(number),
-    };
-    let done = done.filter(|done| done != text || number == 1.0);
-    let said = |done: &str| {
-        let scaled = format!("{} × {}", words::spoken::scaled_name(what, language), unpadded(number, 9, language));
-        match what {
-            "load" | "payload" => format!("{scaled}: {}", values_changed(&all, done)),
-            _ => scaled,
-        }
-    };
-    done.map(|done| (said(&done), done))
-        .map(|(said, done)| (done, said))
-        .ok_or_else(|| (terminal::scale_not_possible(&what, language), None))
+    })
 }
 
 /// Returns the values that differ from those of a project, each with its key: `mechanism.screw.mass 80 kg → 92 kg`.
@@ -386,3 +458,7 @@ fn is_segment(path: &str) -> bool {
         .and_then(|rest| rest.strip_suffix(']'))
         .is_some_and(|place| place.parse::<u32>().is_ok())
 }
+
+#[cfg(test)]
+#[path = "changed_tests.rs"]
+mod tests;

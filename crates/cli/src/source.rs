@@ -1,11 +1,10 @@
 //! A file that a question is about, with the files that it may name.
 
-use crate::changed::changed;
+use crate::changed::{Statements, changed};
 use crate::changed::keys::is_measured;
 use crate::command::text_of_kind;
 use crate::fault::{path_text, read_bytes};
 use axis::{Grant, Reach};
-use clap::ArgMatches;
 use disk::{Links, ProjectFiles};
 use project::{Written, key_at, written};
 use quantities::Language;
@@ -77,9 +76,9 @@ impl SourceFile {
     ///
     /// # Errors
     /// Every change that cannot be made.
-    pub(crate) fn change(&mut self, matches: &ArgMatches, language: Language) -> Result<Vec<String>, Unanswered> {
+    pub(crate) fn change(&mut self, stated: &Statements, language: Language) -> Result<Vec<String>, Unanswered> {
         let Ok(text) = std::str::from_utf8(&self.bytes) else { return Ok(Vec::new()) };
-        let Some(changed) = changed(text, matches, language)? else { return Ok(Vec::new()) };
+        let Some(changed) = changed(text, stated, language)? else { return Ok(Vec::new()) };
         self.name = changed.named(&self.name);
         self.bytes = changed.text.into_bytes();
         Ok(changed.made)

@@ -72,9 +72,23 @@ pub fn measured_key_at(path: &str) -> Option<&'static Key> {
     key_of(crate::measured::MEASURED_KEYS, path)
 }
 
-/// Returns the description of the key at a path of a file with these keys at its root.
+/// Returns the description of the key at a path of a file with these keys at its root. Only a list has entries, and each key of
+/// its tables belongs to one of them.
 fn key_of(root: &'static [Key], path: &str) -> Option<&'static Key> {
-    key_along(root, steps(path)?.into_iter().map(|(name, place)| (name, place.is_some())))
+    let names: Vec<(&str, bool)> = steps(path)?.into_iter().map(|(name, place)| (name, place.is_some())).collect();
+    for count in 1..=names.len() {
+        let kind = key_along(root, names.iter().take(count).copied())?.kind;
+        let (_, is_entry) = *names.get(count - 1)?;
+        let is_fitting = match kind {
+            Kind::Variants(_) => is_entry || count == names.len(),
+            Kind::OneOrMany(..) => true,
+            _ => !is_entry,
+        };
+        if !is_fitting {
+            return None;
+        }
+    }
+    key_along(root, names)
 }
 
 /// Returns the key to which names lead from the root, each with `true` for an entry of a list.

@@ -28,7 +28,7 @@ pub enum Hint {
     KeyOfTable {
         /// Key.
         key: &'static str,
-        /// Heading of the table: `[[motion]]`.
+        /// Heading of the table, with the line of the only kind that has the key: `[[motion]]`, `[[motion]] law = "dwell"`.
         table: String,
     },
     /// The keys of the same section for a quantity of this kind, none of which has the written name.
@@ -61,7 +61,7 @@ impl Hint {
 
     /// Returns `true` if it names a key of the segments.
     pub(crate) fn is_of_a_segment(&self) -> bool {
-        matches!(self, Self::KeyOfTable { table, .. } if table == "[[motion]]")
+        matches!(self, Self::KeyOfTable { table, .. } if table.starts_with("[[motion]]"))
     }
 
     /// Creates the list of the valid names.

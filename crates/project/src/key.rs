@@ -126,6 +126,16 @@ pub struct Variants {
     pub shared: &'static [&'static str],
 }
 
+impl Variants {
+    /// Returns the line of the only kind that may have a key: `law = "dwell"`; `None` for a key of several kinds.
+    pub(crate) fn only_kind_with(&self, key: &str) -> Option<String> {
+        let has = |(_, needed, optional): &&(&str, &[&str], &[&str])| needed.contains(&key) || optional.contains(&key);
+        let mut kinds = self.kinds.iter().filter(has);
+        let (kind, ..) = kinds.next().filter(|_| !self.shared.contains(&key))?;
+        kinds.next().is_none().then(|| format!("{} = \"{kind}\"", self.by))
+    }
+}
+
 /// One key of the project file.
 #[derive(Clone, Copy, Debug)]
 pub struct Key {

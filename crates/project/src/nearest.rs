@@ -154,6 +154,13 @@ pub(crate) fn in_another_table(written: &str) -> Option<Hint> {
     let mut found = crate::root::KEYS.iter().filter_map(|table| {
         let is_list = matches!(table.kind, Kind::Variants(_));
         let heading = if is_list { format!("[[{}]]", table.name) } else { format!("[{}]", table.name) };
+        let heading = match table.kind {
+            Kind::Variants(variants) => match variants.only_kind_with(written) {
+                Some(line) => format!("{heading} {line}"),
+                None => heading,
+            },
+            _ => heading,
+        };
         Some(Hint::KeyOfTable { key: named(table.kind.keys(true))?, table: heading })
     });
     found.next().filter(|_| found.next().is_none())

@@ -496,12 +496,18 @@ impl<'t> Reader<'t> {
         };
         for (name, _) in table {
             let written = name.get_ref().replace(is_invisible, "");
-            let known = variants.keys.iter().any(|key| key.name == written);
-            if known && !belongs(&written) {
+            let known = variants.keys.iter().find(|key| key.name == written);
+            if let Some(key) = known.filter(|_| !belongs(&written)) {
                 let names: Vec<&str> = [*needed, *allowed].concat();
+                let list = path.rsplit('.').next().and_then(|last| last.split('[').next()).unwrap_or_default();
+                // A key of one kind alone: that of a table of its own.
+                let hint = match variants.only_kind_with(&written) {
+                    Some(line) => Hint::KeyOfTable { key: key.name, table: format!("[[{list}]] {line}") },
+                    None => Hint::valid(&names),
+                };
                 let path = joined(path, &written);
                 let fault = Fault::KeyOfAnotherKind { path, by: variants.by, kind: kind.to_owned() };
-                self.fault(name.span(), fault, Some(Hint::valid(&names)));
+                self.fault(name.span(), fault, Some(hint));
             }
         }
     }

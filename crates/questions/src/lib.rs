@@ -56,7 +56,7 @@ pub use axis::Catalogue;
 pub use budget::{AngularError, AngularErrors, angular_errors};
 pub use chapters::read_quantity;
 pub use closed::{OpenCycle, closed, is_open_cycle};
-pub use codes::{CodeRefusal, read_code, read_product};
+pub use codes::{CodeRefusal, has_battery, read_code, read_product};
 pub use fingerprint::{catalogue_fingerprint, file_products, project_fingerprint};
 pub use progress::Progress;
 pub use reading::{

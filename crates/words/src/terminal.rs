@@ -215,9 +215,6 @@ texts! {
     addition_undecided(written) =
         "\"{written}\" may be an addition to the present value or the value"
         | "„{written}“ kann ein Zuschlag zum jetzigen Wert oder der Wert sein";
-    several_loads(names) =
-        "the load is ambiguous, the project has several: {names}"
-        | "die Last ist mehrdeutig, das Projekt hat mehrere: {names}";
     no_load_to_scale =
         "the project states no load that a factor could change: its torques are recorded or stated over the position, or its load is zero"
         | "das Projekt nennt keine Last, die ein Faktor ändern könnte: die Drehmomente sind aufgezeichnet oder über der Position angegeben, oder die Last ist null";
@@ -247,6 +244,9 @@ texts! {
     nearest_of_pattern(part, count, code) =
         "{part} stands for {count} actuators of the ranking, none of which fits: the one with the smallest excess, {code}"
         | "{part} steht für {count} Antriebe der Rangfolge, von denen keiner geeignet ist: der mit der geringsten Überschreitung, {code}";
+    pattern_readings(fit, fitting, fail, failing) =
+        "{fit} of them fit: {fitting}; {fail} do not: {failing}"
+        | "{fit} davon sind geeignet: {fitting}; {fail} sind es nicht: {failing}";
     option_assumed(option) = "not stated, assumed: {option}" | "nicht angegeben, angenommen: {option}";
     not_of_the_manual = "note (not from the manual)" | "Anmerkung (nicht aus der Anleitung)";
     smallest_excess_of_the_ranking(id) =

@@ -39,6 +39,11 @@ pub enum Usage {
         /// The command.
         command: String,
     },
+    /// The encoder of the actuator has no battery.
+    NoBattery {
+        /// Ordering code.
+        code: String,
+    },
     /// The word may be the value of several options.
     SeveralOptions {
         /// Spelling of the call.
@@ -128,6 +133,9 @@ pub fn usage_text(usage: &Usage, language: Language) -> String {
         Usage::NoSuchArgument { written, command } => said!(language =>
             "\"{written}\" is no argument of `{command}`" | "„{written}“ ist kein Argument von `{command}`"
         ),
+        Usage::NoBattery { code } => said!(language =>
+            "the encoder of {code} has no battery" | "der Geber von {code} hat keine Batterie"
+        ),
         Usage::SeveralOptions { written, options } => {
             let options = options.join(", ");
             said!(language =>
@@ -201,6 +209,7 @@ mod tests {
             Usage::NotUtf8,
             Usage::TooLong { most: 1 },
             Usage::NoMemory { written: word() },
+            Usage::NoBattery { code: "CHA-25A-100-H-C1024".into() },
             Usage::Other,
         ];
         for usage in all {

@@ -1,5 +1,6 @@
 //! Keys that a word or a value of a call may mean, in the project of the call.
 
+use super::places;
 use project::{Hint, KEYS, Kind, Written, key_at, loads, nearest_heading, nearest_name, other_names, truth, written};
 use quantities::{Dimension, parse};
 
@@ -7,12 +8,33 @@ use quantities::{Dimension, parse};
 pub(crate) const UNITS: [&str; 12] =
     ["mm", "s", "deg", "N m", "N", "kg", "kg m^2", "V", "degC", "1/min", "m/s", "rad/s^2"];
 
+/// Beginning of the paths of an axis of several.
+const AXIS: &str = "axis[";
+
 /// Table whose keys every project may have.
 const REQUIREMENTS: &str = "requirements";
 
 /// Returns the paths of the keys with a name, `prefix` being that of the wanted axis: those that the project states, else
 /// those that one of its tables may have with this value; else the same by the other names that people have for keys.
 pub(crate) fn named(all: &[Written], prefix: &str, name: &str, value: &str) -> Vec<String> {
+    let found = places::spellings(name).into_iter().map(|name| as_spelt(all, prefix, &name, value));
+    found.into_iter().find(|found| !found.is_empty()).unwrap_or_default()
+}
+
+/// Returns the paths of the keys with a name as it is spelt.
+fn as_spelt(all: &[Written], prefix: &str, name: &str, value: &str) -> Vec<String> {
+    if name.contains('.') && !name.starts_with(AXIS) {
+        let of_axis = places::at_entries(all, &format!("{prefix}{name}"));
+        if !of_axis.is_empty() {
+            return of_axis;
+        }
+        // `lift.mass` is the mass of an axis of this name.
+        if let Some((axis, rest)) = name.split_once('.')
+            && let Some(prefix) = places::axis_named(all, axis)
+        {
+            return as_spelt(all, &prefix, rest, value);
+        }
+    }
     let mut found = of_name(all, prefix, name, value);
     // A mass may be that of the mechanism's load or what it carries at times.
     if is_mass(name) {

@@ -2,6 +2,7 @@
 
 use super::keys;
 use super::motion::{self, MotionWord};
+use super::places;
 use super::value::{Fault, NAMED_KEYS_MOST};
 use crate::command::typed::typed;
 use project::{Kind, Written, key_at, loads, takes_payload};
@@ -32,6 +33,10 @@ pub(crate) fn without_radius(
     language: Language,
 ) -> Option<Fault> {
     let mass_kg = mass_kg(value).filter(|_| is_mass_of_load(word, value))?;
+    // Each of several axes has a load of its own; the key of one of them names it.
+    if prefix.is_empty() && !places::axes(all).is_empty() {
+        return None;
+    }
     let found = loads(all, prefix);
     if takes_payload(all, prefix) || found.iter().any(|load| load.masses().next().is_some()) {
         return None;

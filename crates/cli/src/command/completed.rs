@@ -2,14 +2,16 @@
 //! the best of the actuators that half a code names.
 
 use super::begun::file_beside;
-use super::best::{BestOfPattern, best_of_pattern};
+use super::best::{BestOfPattern, ProjectOfCall, best_of_pattern};
 use super::example::code_of_recorded;
-use super::folder::{has_ending, projects_in};
+use super::folder::{has_ending, projects_in, text_of};
 use super::meant::{Called, Part};
 use super::own::VARY;
 use super::spoken::seems_code;
 use super::typed::typed;
+use crate::changed::places;
 use clap::Command;
+use project::written;
 use quantities::{Language, Measure, Time};
 use questions::list::ArgumentKind;
 use questions::list::upkeep::{day_of_clock, read_date};
@@ -64,6 +66,7 @@ fn with_own_values(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
         let is_possible = |word: &str| possible.iter().any(|value| value.matches(word, true));
         let own = match called.argument(name).map(|argument| argument.kind) {
             Some(ArgumentKind::Date) if spoken::is_today(value) => today(),
+            _ if name == "axis" => own_axis(&called.projects, value),
             _ if is_possible(value) => None,
             _ => spoken::choice(name, value).filter(|word| is_possible(word)).map(str::to_owned),
         };
@@ -78,6 +81,16 @@ fn with_own_values(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
     }
     let is_changed = words.iter().zip(&texts).any(|(word, text)| word != text);
     is_changed.then(|| (words.into_iter().map(OsString::from).collect(), None))
+}
+
+/// Returns the name of the axis that a word names in another case or by its number from one, in the projects of a call.
+fn own_axis(projects: &[std::path::PathBuf], word: &str) -> Option<String> {
+    let of = |path: &std::path::PathBuf| {
+        let all = written(&text_of(path)?)?;
+        let name = format!("{}name", places::axis_named(&all, word)?);
+        all.into_iter().find(|each| each.path == name)?.value
+    };
+    projects.iter().find_map(of).filter(|name| name != word)
 }
 
 /// Returns a call with the only project of the folder, if it lacks one, and a remark on it.
@@ -126,14 +139,32 @@ fn with_whole_code(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
         Part::Option(option, Some(value)) if option.get_long() == Some("code") => Some(value),
         _ => None,
     });
-    let part = codes.find(|code| questions::read_code(code, language).is_err())?;
+    // A stated option without a value names no actuator.
+    let part = codes.find(|code| !code.is_empty() && questions::read_code(code, language).is_err())?;
     let pattern = questions::list::code_list::read_pattern(part, language).ok()?;
-    let BestOfPattern { code, count, fits } = best_of_pattern(project, &pattern, language)?;
+    let project = ProjectOfCall::of_call(project, arguments, called)?;
+    let BestOfPattern { code, fitting, failing } = best_of_pattern(&project, &pattern)?;
+    let count = fitting.len() + failing.len();
     let words = texts.iter().map(|word| if *word == part { code.as_str() } else { word });
     let words = words.map(|word| word.replace(&format!("--code={part}"), &format!("--code={code}")));
-    let remark = if fits { terminal::best_of_pattern } else { terminal::nearest_of_pattern };
-    let remark = remark(&quantities::seen(part), &count, &code, language);
+    let remark = if fitting.is_empty() { terminal::nearest_of_pattern } else { terminal::best_of_pattern };
+    let mut remark = remark(&quantities::seen(part), &count, &code, language);
+    // The verdict is not that of every reading.
+    if !fitting.is_empty() && !failing.is_empty() {
+        let readings =
+            terminal::pattern_readings(&fitting.len(), &listed(&fitting), &failing.len(), &listed(&failing), language);
+        remark = format!("{remark}\n{readings}");
+    }
     Some((words.map(OsString::from).collect(), Some(remark)))
+}
+
+/// Largest number of readings of a code that a remark lists.
+const READINGS_MOST: usize = 8;
+
+/// Returns the first of some codes as one text.
+fn listed(codes: &[String]) -> String {
+    let shown = codes.iter().take(READINGS_MOST).map(String::as_str).collect::<Vec<_>>().join(", ");
+    if codes.len() > READINGS_MOST { format!("{shown}, …") } else { shown }
 }
 
 /// Returns a call with the option that it lacks.
@@ -213,7 +244,11 @@ fn with_one_option(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
             with(&["--out", &file], terminal::option_assumed(&typed(["--out", &file]), language))
         }
         "battery" => {
-            let code = bare.iter().find(|word| questions::read_code(word, language).is_ok());
+            // A code without a battery stays, and is refused.
+            let code = bare.iter().find(|word| has_battery(word, language) == Some(true));
+            if bare.iter().any(|word| has_battery(word, language) == Some(false)) {
+                return None;
+            }
             let words = arguments.iter().filter(|word| code.is_none_or(|code| *word != code)).cloned();
             let mut words: Vec<OsString> = words.collect();
             if is_given(&["hours-per-day"]) || takes("--hours-per-day") {
@@ -225,6 +260,11 @@ fn with_one_option(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
         }
         _ => None,
     }
+}
+
+/// Returns `true` if the encoder of the actuator with a code is buffered by a battery; `None` for a word that is no code.
+pub(super) fn has_battery(word: &str, language: Language) -> Option<bool> {
+    questions::has_battery(&questions::read_code(word, language).ok()?.parsed.code)
 }
 
 /// Largest number of names that are tried for a file of answers.

@@ -1,6 +1,7 @@
 //! Calls that work, with the words of a faulty one.
 
 use super::best::best_of_project;
+use super::completed::has_battery;
 use super::folder::{has_ending, project_name, projects_in, recordings};
 use super::meant::{Called, Part, Stray, understood};
 use super::own::VARY;
@@ -177,6 +178,9 @@ fn named_code(called: &Called<'_>, name: &str) -> bool {
     argument.is_some_and(|argument| called.is_code(argument))
 }
 
+/// Pattern of the ordering codes whose encoder is buffered by a battery.
+const BUFFERED: &str = "CHA-*-M128S-*";
+
 impl Stray {
     /// Returns the fault of the word, and the calls that work in place of the given one.
     pub(crate) fn fault(&self, called: &Called<'_>, arguments: &[OsString]) -> (Usage, Option<UsageHint>) {
@@ -190,6 +194,10 @@ impl Stray {
             let asked = asked.map(|word| if word == self.word { project.as_str() } else { word });
             let asked = typed(std::iter::once(super::NAME).chain(asked));
             return (Usage::Recording { written }, Some(UsageHint::Calls(vec![new, asked])));
+        }
+        if called.entry.is_some_and(|entry| entry.command == "battery") && has_battery(&self.word, called.language()) == Some(false) {
+            let calls = vec![typed(["antrieb", "upkeep", &self.word]), typed(["antrieb", "code", "list", BUFFERED])];
+            return (Usage::NoBattery { code: written }, Some(UsageHint::Calls(calls)));
         }
         if let Some(fault) =
             self.of_required(called, &texts).filter(|_| self.options.is_empty() && self.given.is_none())

@@ -1,6 +1,7 @@
 //! Reduction ratios of the catalogue in a call: the actuators with this field of their codes.
 
-use super::best::best_of_pattern;
+use super::best::{ProjectOfCall, best_of_pattern};
+use super::replaced;
 use super::meant::Called;
 use super::own::VARY;
 use order_code::{Ratio, Series};
@@ -43,11 +44,22 @@ fn changes(called: &Called<'_>, arguments: &[OsString]) -> Option<Changes> {
     called.command.get_positionals().find(|position| position.get_id() == "project")?;
     let stated = stated(called, &texts)?;
     let is_given = |name: &str| texts.iter().any(|word| word.split('=').next() == Some(name));
-    let best = |ratio: &u16| {
-        let pattern = questions::list::code_list::read_pattern(&pattern(*ratio), called.language()).ok()?;
-        Some(best_of_pattern(project, &pattern, called.language())?.code)
+    // The project as the other words of the call change it.
+    let changed = || {
+        let Stated { place, count, .. } = stated;
+        let others = arguments.iter().enumerate().filter(|(at, _)| !(place..place + count).contains(at));
+        let others: Vec<OsString> = others.map(|(_, word)| word.clone()).collect();
+        let (found, _) = replaced::understood(others, false, called.whole(), called.language());
+        ProjectOfCall::of_call(project, &found.arguments, called)
     };
-    let all = || stated.ratios.iter().map(best).collect::<Option<Vec<String>>>();
+    let all = || {
+        let changed = changed()?;
+        let best = |ratio: &u16| {
+            let pattern = questions::list::code_list::read_pattern(&pattern(*ratio), called.language()).ok()?;
+            Some(best_of_pattern(&changed, &pattern)?.code)
+        };
+        stated.ratios.iter().map(best).collect::<Option<Vec<String>>>()
+    };
     let rows = || Some(vec![format!("--{VARY}"), format!("code={}", all()?.join(","))]);
     let command = |name| Some((called.begin.checked_sub(1)?, name));
     let of_one = || match &stated.ratios[..] {

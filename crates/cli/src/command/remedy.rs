@@ -1,6 +1,6 @@
 //! Calls in place of one that was parsed and cannot be answered.
 
-use super::best::best_product_of_project;
+use super::best::{ProjectOfCall, best_products};
 use super::effects;
 use super::example::{filled, split};
 use super::folder::{RECORDINGS, axes_of, has_ending, project_name, projects_in};
@@ -56,7 +56,7 @@ pub(crate) fn calls(why: &Unanswered, arguments: &[OsString], whole: &Command, l
         Unanswered::Code { .. } | Unanswered::Text { .. } if call.with_any_fields(language).is_some() => {
             call.with_any_fields(language).into_iter().collect()
         }
-        Unanswered::Refused(Refusal::NoActuator, _) => call.with_own_best(language),
+        Unanswered::Refused(Refusal::NoActuator, _) => call.with_own_best(),
         Unanswered::Option { name: "from", .. } => call.as_recording(),
         Unanswered::Option { name: "at" | "reaction", .. } if !call.states("scenario") => {
             call.with(&["--scenario", "emergency_stop"])
@@ -451,9 +451,10 @@ impl Call<'_> {
     }
 
     /// Returns the call with the best actuator of its project.
-    fn with_own_best(&self, language: Language) -> Vec<String> {
+    fn with_own_best(&self) -> Vec<String> {
         let project = self.called.projects.first().and_then(|path| path.to_str());
-        let code = project.and_then(|project| best_product_of_project(project, language));
+        let project = project.and_then(|project| ProjectOfCall::of_call(project, self.arguments, &self.called));
+        let code = project.and_then(|project| best_products(&project, 1, |_| true).into_iter().next());
         code.map(|code| self.with(&["--code", &code])).unwrap_or_else(|| self.with_option_of_example("code"))
     }
 
@@ -463,7 +464,8 @@ impl Call<'_> {
             let texts: Vec<&str> = self.arguments.iter().map(|word| word.to_str()).collect::<Option<_>>()?;
             let parts = self.called.parts(&texts)?;
             let codes: Vec<String> = parts.iter().filter_map(|part| code_of(part, &self.called, language)).collect();
-            more_codes(self.called.projects.first()?.to_str()?, &codes, language)
+            let project = self.called.projects.first()?.to_str()?;
+            more_codes(&ProjectOfCall::of_call(project, self.arguments, &self.called)?, &codes)
         };
         let more = more().unwrap_or_default();
         let words: Vec<&str> = more.iter().flat_map(|code| ["--code", code]).collect();

@@ -1,6 +1,6 @@
 //! Words of a call in place of others: options by their own names, the best actuator in place of its project.
 
-use super::best::{best_of_project, best_products};
+use super::best::{ProjectOfCall, best_coded, best_products};
 use super::completed;
 use super::folder::is_project;
 use super::kind::kind;
@@ -10,6 +10,7 @@ use super::solid;
 use super::spoken::{seems_code, twin_options};
 use super::typed::typed;
 use super::unknown;
+use crate::changed::Statements;
 use clap::Command;
 use quantities::Language;
 use std::ffi::OsString;
@@ -89,7 +90,7 @@ fn with_compared_codes(
         let project = called.projects.first()?.to_str()?;
         let codes: Vec<String> =
             called.parts(&texts)?.iter().filter_map(|part| code_of(part, &called, language)).collect();
-        more_codes(project, &codes, language)
+        more_codes(&ProjectOfCall::of_call(project, &arguments, &called)?, &codes)
     };
     let Some(more) = more() else { return (arguments, None) };
     for code in &more {
@@ -102,9 +103,9 @@ fn with_compared_codes(
 const COMPARED_LEAST: usize = 2;
 
 /// Returns the best codes of a project that a comparison of some codes lacks; `None` if it lacks none, or there are too few.
-pub(super) fn more_codes(project: &str, codes: &[String], language: Language) -> Option<Vec<String>> {
+pub(super) fn more_codes(project: &ProjectOfCall, codes: &[String]) -> Option<Vec<String>> {
     let due = COMPARED_LEAST.checked_sub(codes.len()).filter(|due| *due > 0)?;
-    let best = best_products(project, COMPARED_LEAST + codes.len(), |_| true, language);
+    let best = best_products(project, COMPARED_LEAST + codes.len(), |_| true);
     let more: Vec<String> = best.into_iter().filter(|code| !codes.contains(code)).take(due).collect();
     (more.len() == due).then_some(more)
 }
@@ -119,12 +120,44 @@ pub(super) fn code_of(part: &Part<'_>, called: &Called<'_>, language: Language) 
     Some(questions::read_code(word, language).map_or_else(|_| (*word).to_owned(), |read| read.parsed.code.to_string()))
 }
 
+/// Changes of a project, and their words in the call.
+type OfBest = (Statements, Vec<OsString>);
+
+/// Takes the changes of a project out of a call about an ordering code, whose command has no options for them: they decide which
+/// actuator is the best.
+fn with_changes_of_best(arguments: &mut Vec<OsString>, whole: &Command, language: Language) -> Option<OfBest> {
+    let called = Called::of(arguments, whole, language)?;
+    let is_of_code = called.command.get_positionals().next().is_some_and(|position| called.is_code(position));
+    if !is_of_code || called.has("set") || called.projects.is_empty() {
+        return None;
+    }
+    let is_change = |word: &OsString| {
+        word.to_str().is_some_and(|word| ["--set", "--scale"].iter().any(|option| word.split('=').next() == Some(option)))
+    };
+    let (mut kept, mut taken) = (Vec::new(), Vec::new());
+    let mut words = arguments.iter().cloned();
+    while let Some(word) = words.next() {
+        if !is_change(&word) {
+            kept.push(word);
+            continue;
+        }
+        let has_value = word.to_str().is_some_and(|word| word.contains('='));
+        taken.push(word);
+        taken.extend((!has_value).then(|| words.next()).flatten());
+    }
+    let texts: Vec<&str> = taken.iter().filter_map(|word| word.to_str()).collect();
+    let stated = (!texts.is_empty()).then(|| Statements::of_words(&texts))?;
+    *arguments = kept;
+    Some((stated, taken))
+}
+
 /// Returns a call about one actuator with the best one of a project that stands in place of its code, and a remark on it.
 fn with_best_code(
     mut arguments: Vec<OsString>,
     whole: &Command,
     language: Language,
 ) -> (Vec<OsString>, Option<String>) {
+    let stated = with_changes_of_best(&mut arguments, whole, language);
     let best = || {
         let called = Called::of(&arguments, whole, language)?;
         let texts: Vec<&str> = arguments.iter().map(|word| word.to_str()).collect::<Option<_>>()?;
@@ -139,13 +172,25 @@ fn with_best_code(
         let (place, project) = bare.find(|(_, word)| called.projects.iter().any(|path| path == Path::new(word)))?;
         let is_due =
             called.command.get_positionals().next().is_some_and(|position| called.is_code(position)) && !is_stated;
-        let code = is_due.then(|| best_of_project(&[project], language)).flatten()?;
+        let of_project = || match &stated {
+            Some((stated, _)) => ProjectOfCall::changed(project, stated, &arguments, language),
+            None => ProjectOfCall::of_call(project, &arguments, &called),
+        };
+        let code = is_due.then(of_project).flatten().and_then(|project| best_coded(&project))?;
         // The project stays where an option of the command reads it.
         let kept = called.has("project").then(|| ["--project".to_owned(), project.to_owned()]);
         Some((place, code, kept))
     };
-    let Some((place, code, kept)) = best() else { return (arguments, None) };
-    let remark = terminal::best_of_the_ranking(&code, language);
+    let Some((place, code, kept)) = best() else {
+        // Without a choice the options stay, and are refused.
+        arguments.extend(stated.into_iter().flat_map(|(_, words)| words));
+        return (arguments, None);
+    };
+    let mut remark = terminal::best_of_the_ranking(&code, language);
+    if let Some((Statements { sets, scales, .. }, _)) = &stated {
+        let made: Vec<String> = sets.iter().chain(scales).cloned().collect();
+        remark = format!("{}\n{remark}", terminal::changed_for_this_call(&made.join("; "), language));
+    }
     let words = std::iter::once(code).chain(kept.into_iter().flatten());
     arguments.splice(place..=place, words.map(OsString::from));
     (arguments, Some(remark))

@@ -23,7 +23,12 @@ pub(super) fn twin_options(written: &str) -> &'static [&'static str] {
 }
 
 /// Options behind a command that request the version of the program.
-const VERSION: [&str; 3] = ["-v", "-V", "--version"];
+const VERSION: [&str; 3] = [SHORT, "-V", "--version"];
+
+/// Option that requests the version behind a command alone; behind the words of a call a longer answer is meant, which has no
+/// short option.
+const SHORT: &str = "-v";
+const LONGER: &str = "--verbose";
 
 /// Returns an option in small letters; the options of every command by their own names.
 fn plain_option(word: &str) -> Option<String> {
@@ -74,8 +79,17 @@ pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
     }
     // No command has a longer answer or a version of its own.
     let is_of_version = |word: &OsString| VERSION.iter().any(|version| word == version);
-    let options = arguments.iter().skip(2).take_while(|word| *word != "--");
-    if options.clone().any(is_of_version) {
+    let mut options = arguments.iter().skip(2).take_while(|word| *word != "--");
+    let is_bare = options.all(|word| is_of_version(word) || word.to_str().is_some_and(|word| word.starts_with('-')));
+    if !is_bare {
+        for place in 2..arguments.len() {
+            if text(&arguments, place).as_deref() == Some(SHORT) {
+                put(&mut arguments, place, LONGER);
+            }
+        }
+    }
+    let mut options = arguments.iter().skip(2).take_while(|word| *word != "--");
+    if options.any(is_of_version) {
         return vec![arguments.first().cloned().unwrap_or_default(), "--version".into()];
     }
     let mut place = 1;
@@ -188,7 +202,8 @@ mod tests {
             ("explain a.toml --Nachweis thermal --sprache EN", "explain a.toml --check thermal --lang en"),
             ("report a.toml --Ausgabe x.pdf --kunde=AG", "report a.toml --out x.pdf --customer=AG"),
             ("bericht --hilfe", "report --help"),
-            ("size a.toml -v", "--version"),
+            ("size a.toml -v", "size a.toml --verbose"),
+            ("size -v", "--version"),
             ("check --version", "--version"),
         ] {
             assert_eq!(call(written).join(" "), meant, "{written}");

@@ -1,12 +1,13 @@
 //! Values of keys that a call states in place of a table: `--vary payload=0,10,20kg`.
 
-use crate::changed::{keys, motion, prefix};
+use crate::changed::{keys, motion, places, prefix};
 use crate::command::own::VARY;
 use crate::command::typed::{number_and_unit, typed};
 use project::{Heading, Hint, Unfilled, Written, key_at, written};
 use quantities::{Language, seen};
 use questions::list::Unanswered;
 use questions::list::new::{Method, table};
+use std::borrow::Cow;
 use words::spoken::has_decimal_commas;
 use words::{UsageHint, sweeps, terminal, usage_hint};
 
@@ -175,7 +176,8 @@ impl Stated {
         };
         let range = text.split_once("..").or_else(dashed).or_else(|| text.split_once(':').filter(is_time));
         let parts: Vec<String> = match range {
-            Some((low, high)) => vec![low.to_owned(), high.to_owned()],
+            // An end of a range is one number; its comma is a decimal one.
+            Some((low, high)) => [low, high].map(|end| with_point(end).into_owned()).to_vec(),
             None if text.contains(';') => text.split(';').map(|part| part.replace(',', ".")).collect(),
             None => listed(key, text, language)?,
         };
@@ -205,7 +207,7 @@ impl Stated {
 
 /// Splits a list at its commas, some of which may be decimal signs. Where a unit stands behind every second piece, the commas
 /// before these are. An even number of pieces without blanks is ambiguous where numbers usually have decimal commas; so are two
-/// pieces in every language, unless the second one ends in a zero or one of them has a point.
+/// pieces in every language, unless the second one ends in a zero, and pieces that do not rise: none if one of them has a point.
 fn listed(key: &str, text: &str, language: Language) -> Result<Vec<String>, Fault> {
     let pieces: Vec<&str> = text.split(',').collect();
     let is_number = |piece: &&str| piece.starts_with(|sign: char| sign.is_ascii_digit()) && !piece.ends_with(' ');
@@ -218,13 +220,25 @@ fn listed(key: &str, text: &str, language: Language) -> Result<Vec<String>, Faul
     }
     let is_list = with_unit.iter().filter(|has_unit| **has_unit).count() > 1;
     let has_point = pieces.iter().any(|piece| piece.contains('.'));
-    let is_pair = || pieces.len() == 2 && !pieces.iter().any(|piece| number_and_unit(piece.trim()).0.ends_with('0'));
-    if is_even && !is_list && !has_point && (has_decimal_commas(language) || is_pair()) {
+    let numbers: Vec<&str> = pieces.iter().map(|piece| number_and_unit(piece.trim()).0).collect();
+    let is_pair = || pieces.len() == 2 && !numbers.iter().skip(1).any(|number| number.ends_with('0'));
+    let value = |number: &&str| number.parse::<f64>().unwrap_or(f64::NAN);
+    let rises = || numbers.windows(2).all(|pair| pair.first().map(value) < pair.get(1).map(value));
+    if is_even && !is_list && !has_point && (has_decimal_commas(language) || is_pair() || !rises()) {
         let options = [pieces.join(";"), pairs().join(";")].map(|values| change(key, &values));
         let hint = usage_hint(&UsageHint::Calls(options.to_vec()), language);
         return Err((sweeps::vary_commas(&seen(text), language), Some(hint)));
     }
     Ok(pieces.into_iter().map(str::to_owned).collect())
+}
+
+/// Returns a number with a decimal point in place of its comma, unless that may separate thousands.
+fn with_point(number: &str) -> Cow<'_, str> {
+    let (digits, _) = number_and_unit(number.trim());
+    match digits.split_once(',') {
+        Some((_, rest)) if !rest.contains([',', '.']) && rest.len() != 3 => Cow::Owned(number.replacen(',', ".", 1)),
+        _ => Cow::Borrowed(number),
+    }
 }
 
 /// Returns the option with other words.
@@ -261,6 +275,9 @@ fn column(
                 .map(|unit| find(&values.last(unit)))
                 .find(|found| !found.is_empty())
                 .unwrap_or_default();
+        }
+        if found.is_empty() {
+            found = places::anywhere(all, prefix, key, &values.last(&values.unit)).iter().map(own).collect();
         }
         match &found[..] {
             [path] => path.clone(),

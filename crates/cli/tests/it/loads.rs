@@ -75,12 +75,17 @@ fn a_factor_changes_what_the_guide_says_and_nothing_else() {
 }
 
 #[test]
-fn several_loads_are_refused_with_a_call_for_each() {
+fn a_factor_is_one_of_all_loads_and_a_mass_is_refused_with_a_call_for_each() {
     let folder = tempfile::tempdir().unwrap();
     for (kind, more) in [("arm", "--payload 3kg"), ("screw", "--payload 3kg"), ("hoist", "--payload 3kg")] {
         let made = call(folder.path(), &format!("antrieb new {kind} {more} --out {kind}.toml"));
         assert_eq!(made.code, 0, "{}", made.err);
-        for words in ["--load +15%", "--scale load=1.15", "--load 9kg", "--mass 9kg", "--mass +5kg", "--load 15%"] {
+        for words in ["--load +15%", "--scale load=1.15"] {
+            let done = call(folder.path(), &format!("antrieb moves {kind}.toml {words}"));
+            let line = done.err.lines().find(|line| line.contains("load × 1.15")).unwrap_or_default();
+            assert!(line.contains(".mass") && line.contains("].payload 3kg → 3.45kg"), "{kind}: {}", done.err);
+        }
+        for words in ["--load 9kg", "--mass 9kg", "--mass +5kg", "--load 15%"] {
             let refused = call(folder.path(), &format!("antrieb moves {kind}.toml {words}"));
             let calls = named(&refused.err);
             assert!(refused.code == 2 && calls.len() >= 2, "{kind} {words}\n{}", refused.err);
