@@ -1,9 +1,9 @@
 //! A call of a command as a question: its files are read, its arguments become texts for the list.
 
 use crate::answer::CommandAnswer;
-use crate::changed::{Statements, changed};
 #[cfg(feature = "report")]
 use crate::changed::file_name_of_changes;
+use crate::changed::{Statements, changed};
 use crate::command::typed::typed;
 use crate::fault::{memory, path_text};
 use crate::save::Saver;
@@ -278,7 +278,8 @@ impl Call<'_> {
             let message = terminal::no_values_of_a_catalogue(self.language).to_owned();
             return Err(Unanswered::option("set", (message, None)));
         }
-        let changed = changed(text, &Statements::of(self.matches), self.language)?.map(|changed| (changed.text, changed.made));
+        let changed =
+            changed(text, &Statements::of(self.matches), self.language)?.map(|changed| (changed.text, changed.made));
         if is_stated && changed.is_none() {
             // A table of rows has no keys.
             let message = terminal::no_values_of_a_table(self.language).to_owned();

@@ -13,9 +13,7 @@ use crate::command::typed::{number_and_unit, typed};
 use clap::ArgMatches;
 pub(crate) use factor::factor;
 use factor::{any_factor, undecided_factors};
-use project::{
-    Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, paced, stretch, truth, written,
-};
+use project::{Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, paced, stretch, truth, written};
 use quantities::{Language, seen};
 use questions::list::Unanswered;
 use relative::{Relative, relative, undecided};
@@ -165,8 +163,7 @@ pub(crate) fn file_name_of_changes(matches: &ArgMatches) -> String {
         let signs = change.chars().filter(|sign| !sign.is_whitespace());
         signs.map(|sign| if is_plain(sign) { sign } else { '-' }).collect()
     };
-    let all =
-        sets.iter().chain(&scales).map(|change| format!("_{}", plain(change))).collect::<String>();
+    let all = sets.iter().chain(&scales).map(|change| format!("_{}", plain(change))).collect::<String>();
     all.chars().take(FILE_NAME_MOST).collect()
 }
 
@@ -389,8 +386,7 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
     };
     // Without a wanted axis the factor is one of each.
     let axes = if prefix.is_empty() { places::axes(&all) } else { Vec::new() };
-    let prefixes: Vec<&str> =
-        if axes.is_empty() { vec![prefix] } else { axes.iter().map(String::as_str).collect() };
+    let prefixes: Vec<&str> = if axes.is_empty() { vec![prefix] } else { axes.iter().map(String::as_str).collect() };
     let (mut done, mut fault) = (None, None);
     for prefix in prefixes {
         let before: &str = done.as_deref().unwrap_or(text);

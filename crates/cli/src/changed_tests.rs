@@ -27,10 +27,8 @@ fn projects() -> Vec<(String, String)> {
 fn paths(keys: &'static [Key], above: &str, found: &mut Vec<(String, String)>) {
     for key in keys {
         let path = if above.is_empty() { key.name.to_owned() } else { format!("{above}.{}", key.name) };
-        let below: Vec<&'static [Key]> = [key.kind.keys(false), key.kind.keys(true)]
-            .into_iter()
-            .filter(|keys| !keys.is_empty())
-            .collect();
+        let below: Vec<&'static [Key]> =
+            [key.kind.keys(false), key.kind.keys(true)].into_iter().filter(|keys| !keys.is_empty()).collect();
         for keys in &below {
             paths(keys, &path, found);
         }
@@ -80,7 +78,8 @@ fn a_change_that_is_reported_changes_the_project_at_the_reported_key() {
                     let is_same = before.get(key).map_or("–", String::as_str) == from;
                     let to = if to == "–" { None } else { Some(to) };
                     let now = after.get(key).map(String::as_str);
-                    is_same && (now == to || key_at(key).is_some_and(|key| !keys::is_measured(key.kind)) && now.is_some())
+                    is_same
+                        && (now == to || key_at(key).is_some_and(|key| !keys::is_measured(key.kind)) && now.is_some())
                 });
                 assert!(is_stated, "{name}: {change}: {:?}", done.made);
             }
@@ -93,7 +92,8 @@ fn a_change_that_is_reported_changes_the_project_at_the_reported_key() {
 fn a_key_of_a_list_without_its_entry_is_the_only_one_or_refused_with_the_lines_to_write() {
     for (name, text) in projects() {
         for each in written(&text).unwrap().iter().filter(|each| each.value.is_some() && each.path.contains(']')) {
-            let plain: String = each.path.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect();
+            let plain: String =
+                each.path.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect();
             let value = each.value.clone().unwrap();
             // A list is typed in brackets.
             if key_at(&each.path).is_none_or(|key| !keys::is_measured(key.kind)) {
@@ -101,7 +101,10 @@ fn a_key_of_a_list_without_its_entry_is_the_only_one_or_refused_with_the_lines_t
             }
             match made(&text, &["--set", &format!("{plain}={value}")]) {
                 Ok(done) => assert!(done.unwrap().made[0].starts_with(&each.path), "{name}: {plain}"),
-                Err(refusal) => assert!(refusal.contains(&format!("{}={value}", each.path)) || refusal.contains("write:"), "{name}: {plain}: {refusal}"),
+                Err(refusal) => assert!(
+                    refusal.contains(&format!("{}={value}", each.path)) || refusal.contains("write:"),
+                    "{name}: {plain}: {refusal}"
+                ),
             }
         }
     }

@@ -1,7 +1,7 @@
 //! A file that a question is about, with the files that it may name.
 
-use crate::changed::{Statements, changed};
 use crate::changed::keys::is_measured;
+use crate::changed::{Statements, changed};
 use crate::command::text_of_kind;
 use crate::fault::{path_text, read_bytes};
 use axis::{Grant, Reach};

@@ -39,6 +39,13 @@ pub enum Usage {
         /// The command.
         command: String,
     },
+    /// A part of a code stands for several actuators where one is expected.
+    SeveralCodes {
+        /// Spelling of the call.
+        written: String,
+        /// Number of the actuators.
+        count: usize,
+    },
     /// The encoder of the actuator has no battery.
     NoBattery {
         /// Ordering code.
@@ -133,6 +140,10 @@ pub fn usage_text(usage: &Usage, language: Language) -> String {
         Usage::NoSuchArgument { written, command } => said!(language =>
             "\"{written}\" is no argument of `{command}`" | "„{written}“ ist kein Argument von `{command}`"
         ),
+        Usage::SeveralCodes { written, count } => said!(language =>
+            "\"{written}\" stands for {count} actuators, one is expected"
+            | "„{written}“ steht für {count} Antriebe, erwartet wird einer"
+        ),
         Usage::NoBattery { code } => said!(language =>
             "the encoder of {code} has no battery" | "der Geber von {code} hat keine Batterie"
         ),
@@ -209,6 +220,7 @@ mod tests {
             Usage::NotUtf8,
             Usage::TooLong { most: 1 },
             Usage::NoMemory { written: word() },
+            Usage::SeveralCodes { written: "CHA-25A".into(), count: 2 },
             Usage::NoBattery { code: "CHA-25A-100-H-C1024".into() },
             Usage::Other,
         ];

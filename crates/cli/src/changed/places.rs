@@ -110,7 +110,8 @@ pub(crate) fn axis_named(all: &[Written], word: &str) -> Option<String> {
     };
     let axes = axes(all);
     let exact = axes.iter().find(|prefix| name(prefix) == Some(word));
-    let any_case = || axes.iter().filter(|prefix| name(prefix).is_some_and(|name| name.to_lowercase() == word.to_lowercase()));
+    let any_case =
+        || axes.iter().filter(|prefix| name(prefix).is_some_and(|name| name.to_lowercase() == word.to_lowercase()));
     let only = || Some(any_case()).filter(|found| found.clone().count() == 1).and_then(|mut found| found.next());
     let numbered = || axes.iter().find(|prefix| **prefix == format!("axis[{word}]."));
     exact.or_else(only).or_else(numbered).cloned()

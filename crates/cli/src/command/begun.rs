@@ -135,7 +135,9 @@ fn is_value_of_code(words: &[&str], place: usize) -> bool {
 fn of_first(words: &[&str], language: Language) -> Option<&'static str> {
     let first = words.first()?;
     if has_ending(first, &[".toml"]) && Path::new(first).is_file() {
-        return Some("size");
+        let is_code =
+            |word: &&str| seems_code(word) && questions::list::code_list::read_pattern(word, language).is_ok();
+        return Some(if words.iter().skip(1).any(|word| is_code(&word)) { "check" } else { "size" });
     }
     if seems_code(first) && questions::read_code(first, language).is_ok() {
         return Some("data");

@@ -158,6 +158,16 @@ fn with_whole_code(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
     Some((words.map(OsString::from).collect(), Some(remark)))
 }
 
+/// Returns the codes of the actuators that a part of a code allows; none for a complete code, and for another word.
+pub(super) fn readings(word: &str, language: Language) -> Vec<String> {
+    if !seems_code(word) || questions::read_code(word, language).is_ok() {
+        return Vec::new();
+    }
+    let pattern = questions::list::code_list::read_pattern(word, language).ok();
+    let codes = pattern.map(|pattern| questions::list::code_list::list_codes(Some(&pattern)));
+    codes.into_iter().flatten().map(|(code, _)| code.to_string()).collect()
+}
+
 /// Largest number of readings of a code that a remark lists.
 const READINGS_MOST: usize = 8;
 

@@ -1,7 +1,7 @@
 //! Calls that work, with the words of a faulty one.
 
 use super::best::best_of_project;
-use super::completed::has_battery;
+use super::completed::{has_battery, readings};
 use super::folder::{has_ending, project_name, projects_in, recordings};
 use super::meant::{Called, Part, Stray, understood};
 use super::own::VARY;
@@ -178,6 +178,9 @@ fn named_code(called: &Called<'_>, name: &str) -> bool {
     argument.is_some_and(|argument| called.is_code(argument))
 }
 
+/// Largest number of readings of a part of a code that a refusal proposes.
+const READINGS_MOST: usize = 3;
+
 /// Pattern of the ordering codes whose encoder is buffered by a battery.
 const BUFFERED: &str = "CHA-*-M128S-*";
 
@@ -195,9 +198,22 @@ impl Stray {
             let asked = typed(std::iter::once(super::NAME).chain(asked));
             return (Usage::Recording { written }, Some(UsageHint::Calls(vec![new, asked])));
         }
-        if called.entry.is_some_and(|entry| entry.command == "battery") && has_battery(&self.word, called.language()) == Some(false) {
+        if called.entry.is_some_and(|entry| entry.command == "battery")
+            && has_battery(&self.word, called.language()) == Some(false)
+        {
             let calls = vec![typed(["antrieb", "upkeep", &self.word]), typed(["antrieb", "code", "list", BUFFERED])];
             return (Usage::NoBattery { code: written }, Some(UsageHint::Calls(calls)));
+        }
+        let readings = readings(&self.word, called.language());
+        if readings.len() > 1 && self.options.is_empty() && self.given.is_none() && called.projects.is_empty() {
+            let with = |code: &String| {
+                let own = arguments.iter().enumerate().skip(1).filter_map(|(at, word)| Some((at, word.to_str()?)));
+                let own = own.map(|(at, word)| if at == self.place { code.as_str() } else { word });
+                typed(std::iter::once(super::NAME).chain(own))
+            };
+            let calls = readings.iter().take(READINGS_MOST).map(with);
+            let calls = calls.chain([typed(["antrieb", "code", "list", &self.word])]).collect();
+            return (Usage::SeveralCodes { written, count: readings.len() }, Some(UsageHint::Calls(calls)));
         }
         if let Some(fault) =
             self.of_required(called, &texts).filter(|_| self.options.is_empty() && self.given.is_none())

@@ -1,9 +1,9 @@
 //! Reduction ratios of the catalogue in a call: the actuators with this field of their codes.
 
 use super::best::{ProjectOfCall, best_of_pattern};
-use super::replaced;
 use super::meant::Called;
 use super::own::VARY;
+use super::replaced;
 use order_code::{Ratio, Series};
 use quantities::Language;
 use std::ffi::OsString;

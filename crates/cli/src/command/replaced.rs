@@ -132,7 +132,8 @@ fn with_changes_of_best(arguments: &mut Vec<OsString>, whole: &Command, language
         return None;
     }
     let is_change = |word: &OsString| {
-        word.to_str().is_some_and(|word| ["--set", "--scale"].iter().any(|option| word.split('=').next() == Some(option)))
+        word.to_str()
+            .is_some_and(|word| ["--set", "--scale"].iter().any(|option| word.split('=').next() == Some(option)))
     };
     let (mut kept, mut taken) = (Vec::new(), Vec::new());
     let mut words = arguments.iter().cloned();

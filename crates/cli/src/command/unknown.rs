@@ -64,8 +64,17 @@ struct Unknown<'c> {
     texts: &'c [&'c str],
 }
 
-/// Value of a key whose option has none.
+/// Value of a key whose option has none, and of one that begins with a negation.
 const TRUE: &str = "true";
+const FALSE: &str = "false";
+
+/// Beginnings of options that exclude, and of one that includes: `--no-brake`.
+const WITHOUT: [&str; 2] = ["no-", "without-"];
+const WITH: &str = "with-";
+
+/// Options for the format of the answer in other programs, and the format that is an option here.
+const FORMATS: [&str; 2] = ["format", "output"];
+const JSON: &str = "json";
 
 /// Returns `true` if a word looks like a unit behind a number.
 fn is_unit(word: &str) -> bool {
@@ -110,7 +119,9 @@ impl Unknown<'_> {
             Some(value) => (Some(value), 0),
             None => (next(), usize::from(next().is_some())),
         };
-        self.as_flag(name)
+        self.as_record(name, value, further)
+            .or_else(|| self.as_flag(name))
+            .or_else(|| self.as_quantity(name))
             .or_else(|| self.as_operation(name, value, further))
             .or_else(|| self.as_factor(name, value, further))
             .or_else(|| self.as_file(name, value, further))
@@ -118,12 +129,33 @@ impl Unknown<'_> {
             .or_else(|| stated.is_none().then(|| self.as_value(name)).flatten())
     }
 
+    /// Returns the option of a record for a format of that name: `--format json`.
+    fn as_record(&self, name: &str, value: Option<&str>, further: usize) -> Option<Meaning> {
+        let is_json = FORMATS.contains(&name) && value?.eq_ignore_ascii_case(JSON);
+        (is_json && self.called.has(JSON)).then(|| (vec![format!("--{JSON}")], further))
+    }
+
+    /// Returns the only key of the project that a quantity in place of an option may state: `--48V`.
+    fn as_quantity(&self, name: &str) -> Option<Meaning> {
+        let is_number = name.starts_with(|sign: char| sign.is_ascii_digit());
+        let found = if is_number { self.called.proposals(name) } else { Vec::new() };
+        let [(option, value)] = &found[..] else { return None };
+        Some((vec![option.clone(), value.clone()], 0))
+    }
+
     /// Returns the key of the project that an option without a value states: `--vertical`; `--best` is the first of a ranking.
     fn as_flag(&self, name: &str) -> Option<Meaning> {
         if name == "best" && self.called.has("top") {
             return Some((vec!["--top".to_owned(), "1".to_owned()], 0));
         }
-        let (key, value) = spoken::flag(name).filter(|_| self.called.has("set"))?;
+        let without = WITHOUT.iter().find_map(|word| name.strip_prefix(word));
+        let plain = without.or_else(|| name.strip_prefix(WITH)).unwrap_or(name);
+        let (key, value) = spoken::flag(plain).filter(|_| self.called.has("set"))?;
+        let value = match without {
+            Some(_) if value == TRUE => FALSE,
+            Some(_) => return None,
+            None => value,
+        };
         let all = written(&self.called.project_text()?)?;
         let [path] = &keys::named(&all, "", key, value)[..] else { return None };
         Some((vec!["--set".to_owned(), format!("{path}={value}")], 0))

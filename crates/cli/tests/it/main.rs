@@ -3,6 +3,7 @@
 mod answers;
 mod api;
 mod behaviour;
+mod chosen;
 mod commission;
 mod doors;
 mod drive;
