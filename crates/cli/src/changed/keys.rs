@@ -36,6 +36,9 @@ fn as_spelt(all: &[Written], prefix: &str, name: &str, value: &str) -> Vec<Strin
         }
     }
     let mut found = of_name(all, prefix, name, value);
+    if found.is_empty() && name.contains('.') && !name.contains('[') {
+        found = places::ending_with(all, prefix, name);
+    }
     // A mass may be that of the mechanism's load or what it carries at times.
     if is_mass(name) {
         let is_meant = |path: &&str| takes(path, value) || value.trim().ends_with('%');

@@ -45,6 +45,20 @@ pub(super) fn at_entries(all: &[Written], path: &str) -> Vec<String> {
     [stated, permitted, found].into_iter().find(|paths| !paths.is_empty()).unwrap_or_default()
 }
 
+/// Returns a path without the numbers of its entries.
+fn without_entries(path: &str) -> String {
+    path.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
+}
+
+/// Returns the stated keys of an axis whose path ends with the names of another path, which lacks the numbers of its entries.
+pub(super) fn ending_with(all: &[Written], prefix: &str, name: &str) -> Vec<String> {
+    let end = format!(".{}", without_entries(name));
+    let is_it = |each: &&Written| {
+        each.value.is_some() && each.path.starts_with(prefix) && without_entries(&each.path).ends_with(&end)
+    };
+    all.iter().filter(is_it).map(|each| each.path.clone()).collect()
+}
+
 /// Returns the paths of the keys with a name in the tables that a project may have, also in those that it does not state: a load
 /// and a mechanism are those of the project. Keys that take the value come first.
 pub(crate) fn anywhere(all: &[Written], prefix: &str, name: &str, value: &str) -> Vec<String> {
@@ -55,7 +69,10 @@ pub(crate) fn anywhere(all: &[Written], prefix: &str, name: &str, value: &str) -
     };
     collect(all, (root, prefix), prefix, &mut keys);
     let of = |name: &String| -> Vec<String> {
-        keys.iter().filter(|path| path.ends_with(&format!(".{name}"))).cloned().collect()
+        let end = format!(".{name}");
+        let is_it =
+            |path: &&String| path.ends_with(&end) || name.contains('.') && without_entries(path).ends_with(&end);
+        keys.iter().filter(is_it).cloned().collect()
     };
     let found = spellings(name).iter().map(of).find(|found| !found.is_empty()).unwrap_or_default();
     let fitting: Vec<String> = found.iter().filter(|path| takes(path, value)).cloned().collect();

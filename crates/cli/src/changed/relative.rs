@@ -57,10 +57,23 @@ pub(super) fn relative(path: &str, stated: Option<&str>, value: &str) -> Relativ
     }
 }
 
+/// Unit of a temperature that is proposed in place of a difference in kelvin.
+const CELSIUS: &str = "degC";
+
 /// Returns a stated value plus a signed one. Of a key whose values have a sign, a minus sign is that of the value, and a plus sign
 /// may be.
 fn added(dimensions: &[Dimension], range: Range, stated: Option<&str>, value: &str) -> Relative {
-    let (Some(stated), true) = (stated, value.starts_with(['+', '-'])) else { return Relative::Absolute };
+    if !value.starts_with(['+', '-']) {
+        return Relative::Absolute;
+    }
+    let Some(stated) = stated else {
+        // Without a value a difference of temperatures states none; that in degrees may be one.
+        let (number, unit) = number_and_unit(value);
+        let is_difference = dimensions.contains(&Dimension::Temperature) && (unit == "K" || value.starts_with('+'));
+        let unit = if unit == "K" { CELSIUS } else { unit };
+        let plain = format!("{}{unit}", number.trim_start_matches('+'));
+        return if is_difference { Relative::Undecided(vec![plain]) } else { Relative::Absolute };
+    };
     let of_both = |dimension: &&Dimension| parse(**dimension, value).is_ok();
     let Some(dimension) = dimensions.iter().find(of_both) else { return Relative::Absolute };
     if *dimension == Dimension::Temperature {
@@ -112,7 +125,12 @@ pub(super) fn undecided(key: &str, value: &str, values: &[String], language: Lan
         true => terminal::factor_undecided(&seen(value), language),
         false => terminal::addition_undecided(&seen(value), language),
     };
-    (message, (!calls.is_empty()).then(|| usage_hint(&UsageHint::Calls(calls), language)))
+    let hint = match (calls.is_empty(), key_at(key).map(|key| key.kind)) {
+        (false, _) => Some(UsageHint::Calls(calls)),
+        (true, Some(Kind::Number(low, high))) => Some(UsageHint::Range(plain(low), plain(high))),
+        (true, _) => None,
+    };
+    (message, hint.map(|hint| usage_hint(&hint, language)))
 }
 
 /// Writes a number without rounding errors of its computation.

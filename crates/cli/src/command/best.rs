@@ -42,7 +42,9 @@ impl ProjectOfCall {
     pub(super) fn of_call(path: &str, arguments: &[OsString], called: &Called<'_>) -> Option<Self> {
         let words = meant::understood(arguments.to_vec(), called.whole(), called.language()).arguments;
         let texts: Vec<&str> = words.iter().filter_map(|word| word.to_str()).collect();
-        Self::changed(path, &Statements::of_words(&texts), &words, called.language())
+        let changed = Self::changed(path, &Statements::of_words(&texts), &words, called.language());
+        // A change that cannot be made is what the call is refused for.
+        changed.or_else(|| Self::of_file(path, called.language()))
     }
 
     /// Returns what a function finds in the ranking of the only axis, or of the wanted one.

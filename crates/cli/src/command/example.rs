@@ -185,6 +185,11 @@ const READINGS_MOST: usize = 3;
 const BUFFERED: &str = "CHA-*-M128S-*";
 
 impl Stray {
+    /// Creates a word that no option of the call takes.
+    pub(super) fn of(place: usize, word: &str) -> Self {
+        Self { place, word: word.to_owned(), options: Vec::new(), given: None }
+    }
+
     /// Returns the fault of the word, and the calls that work in place of the given one.
     pub(crate) fn fault(&self, called: &Called<'_>, arguments: &[OsString]) -> (Usage, Option<UsageHint>) {
         let written = seen(&self.word).into_owned();
@@ -201,7 +206,7 @@ impl Stray {
         if called.entry.is_some_and(|entry| entry.command == "battery")
             && has_battery(&self.word, called.language()) == Some(false)
         {
-            let calls = vec![typed(["antrieb", "upkeep", &self.word]), typed(["antrieb", "code", "list", BUFFERED])];
+            let calls = vec![typed(["antrieb", "data", &self.word]), typed(["antrieb", "code", "list", BUFFERED])];
             return (Usage::NoBattery { code: written }, Some(UsageHint::Calls(calls)));
         }
         let readings = readings(&self.word, called.language());

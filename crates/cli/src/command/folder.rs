@@ -28,6 +28,9 @@ pub(super) fn text_of(path: &Path) -> Option<String> {
     String::from_utf8(bytes).ok()
 }
 
+/// Extensions of the files that a question reads besides its project.
+pub(super) const TABLES: [&str; 3] = [".csv", ".csv.gz", ".parquet"];
+
 /// Returns the names of the axes of a project.
 pub(super) fn axes_of(path: &Path) -> Vec<String> {
     let all = text_of(path).and_then(|text| written(&text)).unwrap_or_default();

@@ -2,9 +2,8 @@
 
 mod ordered;
 
-use super::completed::readings;
 use super::effects;
-use super::folder::{RECORDINGS, catalogues, endings, has_ending, is_project, kind_in_place_of_a_file};
+use super::folder::{RECORDINGS, TABLES, catalogues, endings, has_ending, is_project, kind_in_place_of_a_file};
 use super::own;
 use super::spoken::seems_code;
 use super::typed::is_negative;
@@ -79,9 +78,6 @@ struct Candidate {
     /// Smaller numbers come first.
     rank: u8,
 }
-
-/// Extensions of the files that a question reads besides its project.
-const TABLES: [&str; 3] = [".csv", ".csv.gz", ".parquet"];
 
 /// Kind of a project that begins with a recording.
 const RECORDING: &str = "recording";
@@ -445,9 +441,8 @@ impl<'c> Sorting<'c> {
         match argument {
             // A code may be written as several words; behind a complete one there is another argument.
             Some(argument) if is_several && matches!(argument.kind, ArgumentKind::Code) => {
-                if code.is_empty() && self.is_of_several_codes(rest) {
-                    let stray = Stray { place, word: word.to_owned(), options: Vec::new(), given: None };
-                    self.stray = Some(self.stray.take().unwrap_or(stray));
+                if code.is_empty() && called.is_of_several_codes(rest) {
+                    self.stray = Some(self.stray.take().unwrap_or_else(|| Stray::of(place, word)));
                     return Some((1, false));
                 }
                 let joined = if code.is_empty() { word.to_owned() } else { format!("{code} {word}") };
@@ -493,24 +488,6 @@ impl<'c> Sorting<'c> {
             }
             _ => called.fits(position, word, &self.given).then_some((1, !is_several)),
         }
-    }
-
-    /// Returns `true` if the first of some words is a part of a code for several actuators, and begins no code of several words.
-    fn is_of_several_codes(&self, rest: &[(usize, &str)]) -> bool {
-        /// Largest number of fields of a code.
-        const FIELDS_MOST: usize = 8;
-        let (called, language) = (self.called, self.called.language);
-        let is_about_codes = called.entry.is_none_or(|entry| entry.command().starts_with("code"));
-        let Some((_, word)) = rest.first().filter(|_| !is_about_codes && called.projects.is_empty()) else {
-            return false;
-        };
-        let begins_a_code = || {
-            (2..=rest.len().min(FIELDS_MOST)).any(|count| {
-                let words: Vec<&str> = rest.iter().take(count).map(|(_, word)| *word).collect();
-                questions::read_code(&words.join(" "), language).is_ok()
-            })
-        };
-        readings(word, language).len() > 1 && !begins_a_code()
     }
 
     /// Places a word that no position takes behind its option; returns the words that follow.

@@ -1,5 +1,6 @@
 //! Names of products that a call may state in place of an ordering code.
 
+use super::completed::readings;
 use super::meant::Called;
 use crate::call::catalogue_of;
 use crate::source::SourceFile;
@@ -35,6 +36,24 @@ impl Called<'_> {
         let code = self.options().find(is_code).and_then(Arg::get_long);
         let is_free = |name: &&str| !given.contains(name) || self.argument(name).is_some_and(|code| code.repeated);
         code.filter(is_free).map(|name| format!("--{name}"))
+    }
+
+    /// Returns `true` if the first of some words is a part of a code for several actuators, and begins no code of several words.
+    pub(super) fn is_of_several_codes(&self, rest: &[(usize, &str)]) -> bool {
+        /// Largest number of fields of a code.
+        const FIELDS_MOST: usize = 8;
+        let language = self.language();
+        let is_about_codes = self.entry.is_none_or(|entry| entry.command().starts_with("code"));
+        let Some((_, word)) = rest.first().filter(|_| !is_about_codes && self.projects.is_empty()) else {
+            return false;
+        };
+        let begins_a_code = || {
+            (2..=rest.len().min(FIELDS_MOST)).any(|count| {
+                let words: Vec<&str> = rest.iter().take(count).map(|(_, word)| *word).collect();
+                questions::read_code(&words.join(" "), language).is_ok()
+            })
+        };
+        readings(word, language).len() > 1 && !begins_a_code()
     }
 
     /// Returns `true` if a word is the name of a product.

@@ -121,12 +121,21 @@ impl Unknown<'_> {
         };
         self.as_record(name, value, further)
             .or_else(|| self.as_flag(name))
+            .or_else(|| self.as_excluded(place, name))
             .or_else(|| self.as_quantity(name))
             .or_else(|| self.as_operation(name, value, further))
             .or_else(|| self.as_factor(name, value, further))
             .or_else(|| self.as_file(name, value, further))
             .or_else(|| self.as_key(place, name, stated))
             .or_else(|| stated.is_none().then(|| self.as_value(name)).flatten())
+    }
+
+    /// Returns the key that an option includes or excludes: `--with-brake`, `--no-brake`.
+    fn as_excluded(&self, place: usize, name: &str) -> Option<Meaning> {
+        let excluded = WITHOUT.iter().find_map(|word| name.strip_prefix(word)).map(|name| (name, FALSE));
+        let (name, value) = excluded.or_else(|| Some((name.strip_prefix(WITH)?, TRUE)))?;
+        let (words, _) = self.as_key(place, name, Some(value))?;
+        Some((words, 0))
     }
 
     /// Returns the option of a record for a format of that name: `--format json`.
@@ -138,7 +147,9 @@ impl Unknown<'_> {
     /// Returns the only key of the project that a quantity in place of an option may state: `--48V`.
     fn as_quantity(&self, name: &str) -> Option<Meaning> {
         let is_number = name.starts_with(|sign: char| sign.is_ascii_digit());
-        let found = if is_number { self.called.proposals(name) } else { Vec::new() };
+        // The letters of an option are small, those of a unit may be capitals.
+        let of = |name: &str| if is_number { self.called.proposals(name) } else { Vec::new() };
+        let found = [of(name), of(&name.to_uppercase())].into_iter().find(|found| !found.is_empty())?;
         let [(option, value)] = &found[..] else { return None };
         Some((vec![option.clone(), value.clone()], 0))
     }
@@ -148,14 +159,7 @@ impl Unknown<'_> {
         if name == "best" && self.called.has("top") {
             return Some((vec!["--top".to_owned(), "1".to_owned()], 0));
         }
-        let without = WITHOUT.iter().find_map(|word| name.strip_prefix(word));
-        let plain = without.or_else(|| name.strip_prefix(WITH)).unwrap_or(name);
-        let (key, value) = spoken::flag(plain).filter(|_| self.called.has("set"))?;
-        let value = match without {
-            Some(_) if value == TRUE => FALSE,
-            Some(_) => return None,
-            None => value,
-        };
+        let (key, value) = spoken::flag(name).filter(|_| self.called.has("set"))?;
         let all = written(&self.called.project_text()?)?;
         let [path] = &keys::named(&all, "", key, value)[..] else { return None };
         Some((vec!["--set".to_owned(), format!("{path}={value}")], 0))
