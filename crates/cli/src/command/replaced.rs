@@ -123,7 +123,7 @@ pub(super) fn code_of(part: &Part<'_>, called: &Called<'_>, language: Language) 
 /// Changes of a project, and their words in the call.
 type OfBest = (Statements, Vec<OsString>);
 
-/// Takes the changes of a project out of a call about an ordering code, whose command has no options for them: they decide which
+/// Removes the changes of a project from a call about an ordering code, whose command has no options for them: they decide which
 /// actuator is the best.
 fn with_changes_of_best(arguments: &mut Vec<OsString>, whole: &Command, language: Language) -> Option<OfBest> {
     let called = Called::of(arguments, whole, language)?;
