@@ -1,5 +1,6 @@
 //! A project with other values for one call: `--set KEY=VALUE` and `--scale WHAT=FACTOR`.
 
+pub(crate) mod accepted;
 mod factor;
 pub(crate) mod keys;
 mod load;
@@ -189,7 +190,7 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
     if let Some(fault) = number_of_scaled(&all, (prefix, &key), value, language) {
         return Err(fault);
     }
-    let is_value = |key: &&project::Key| !keys::is_table(key.kind);
+    let is_value = |key: &&project::Key| !accepted::is_table(key.kind);
     let axes = if prefix.is_empty() { places::axes(&all) } else { Vec::new() };
     let is_whole = |key: &str| key.starts_with("axis[") || stated(key).is_some();
     let path = match key_at(key.strip_prefix(prefix).unwrap_or(&key)).filter(is_value) {
@@ -339,12 +340,12 @@ pub(crate) fn with_units(all: &[Written], (prefix, key): (&str, &str), value: &s
     let mut found: Vec<(String, String)> = Vec::new();
     for unit in keys::UNITS {
         let value = format!("{number} {unit}");
-        let paths = if key_at(key).is_some_and(|key| !keys::is_table(key.kind)) {
+        let paths = if key_at(key).is_some_and(|key| !accepted::is_table(key.kind)) {
             vec![key.to_owned()]
         } else {
             keys::named(all, prefix, key, &value)
         };
-        let lacking = paths.into_iter().filter(|path| keys::is_quantity(path, &value));
+        let lacking = paths.into_iter().filter(|path| accepted::is_quantity(path, &value));
         found.extend(lacking.map(|path| (path, value.clone())));
     }
     let own = |path: &str| {

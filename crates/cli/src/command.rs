@@ -31,6 +31,7 @@ pub(crate) mod parsed;
 mod proposed;
 mod question;
 mod ratio;
+mod readings;
 pub(crate) mod remedy;
 pub(crate) mod replaced;
 mod solid;

@@ -1,5 +1,6 @@
 //! Words of a call for the motion: a time, a distance, a payload of every move, the cycle that its dwells fill.
 
+use super::accepted;
 use super::keys::{self, UNITS};
 use super::relative::{Relative, relative, undecided};
 use super::value::{FACTORS, Fault, NAMED_KEYS_MOST, with_point};
@@ -132,13 +133,13 @@ impl<'p> Due<'p> {
             due.paths = all_segments
                 .iter()
                 .map(|(segment, _)| segment)
-                .filter(|segment| keys::permits(all, segment, key))
+                .filter(|segment| accepted::permits(all, segment, key))
                 .map(path)
                 .collect();
         } else if of_dwells && key == "hold" {
             due.paths = own().map(path).collect();
         } else if OF_TWO.contains(&key) && key != "distance" {
-            for segment in own().filter(|segment| keys::permits(all, segment, key)) {
+            for segment in own().filter(|segment| accepted::permits(all, segment, key)) {
                 let stated = OF_TWO.iter().map(|other| format!("{segment}.{other}"));
                 let stated: Vec<String> = stated.filter(|path| value(path).is_some()).collect();
                 let [distance, other] = &stated[..] else { return Self { paths: Vec::new(), ..due } };
@@ -162,7 +163,7 @@ impl<'p> Due<'p> {
         let motion = format!("{}motion[", self.prefix);
         let found = keys::named_exactly(self.all, self.prefix, word, value).into_iter();
         let is_stated = |path: &String| self.stated(path).is_some() || value.starts_with('-');
-        found.filter(|path| !path.starts_with(&motion) && is_stated(path) && keys::takes(path, value)).collect()
+        found.filter(|path| !path.starts_with(&motion) && is_stated(path) && accepted::takes(path, value)).collect()
     }
 
     /// Returns the value of each key: the stated signs are the directions of the moves.
@@ -310,7 +311,7 @@ pub(crate) fn unit(text: &str, (prefix, word): (&str, &str)) -> Option<String> {
     let due = Due::of(&all, prefix, meaning(word)?);
     let first = due.paths.first()?;
     let own = due.stated(first).map(|value| number_and_unit(value).1).filter(|unit| !unit.is_empty());
-    let fitting = || UNITS.into_iter().find(|unit| keys::is_quantity(first, &format!("1 {unit}")));
+    let fitting = || UNITS.into_iter().find(|unit| accepted::is_quantity(first, &format!("1 {unit}")));
     own.or_else(fitting).map(str::to_owned)
 }
 
@@ -326,7 +327,7 @@ fn without_unit(due: &Due<'_>, word: &str, value: &str, language: Language) -> F
     let own =
         due.paths.iter().find_map(|path| Some(number_and_unit(due.stated(path)?).1).filter(|unit| !unit.is_empty()));
     let first = due.paths.first().cloned().unwrap_or_default();
-    let fitting = UNITS.into_iter().filter(|unit| keys::is_quantity(&first, &format!("{number} {unit}")));
+    let fitting = UNITS.into_iter().filter(|unit| accepted::is_quantity(&first, &format!("{number} {unit}")));
     let units: Vec<&str> = own.map_or_else(|| fitting.take(2).collect(), |own| vec![own]);
     let mut calls: Vec<String> =
         units.iter().map(|unit| typed(["--set", &format!("{}={number} {unit}", seen(word))])).collect();

@@ -1,7 +1,7 @@
 //! Places of a project that the spelling of a key may mean: an entry of a list without its number, a table that the project does
 //! not have yet, an axis by its name.
 
-use super::keys::{is_table, permits, takes};
+use super::accepted::{is_table, permits, takes};
 use project::{KEYS, Key, Kind, LOADS, Written, key_at, with_brackets};
 
 /// Returns the spellings of a key that a call may mean, the written one first: small letters and the underscores of the file.

@@ -7,6 +7,7 @@ use super::example::code_of_recorded;
 use super::folder::{has_ending, projects_in, text_of};
 use super::meant::{Called, Part};
 use super::own::VARY;
+use super::readings::has_battery;
 use super::spoken::seems_code;
 use super::typed::typed;
 use crate::changed::places;
@@ -158,16 +159,6 @@ fn with_whole_code(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
     Some((words.map(OsString::from).collect(), Some(remark)))
 }
 
-/// Returns the codes of the actuators that a part of a code allows; none for a complete code, and for another word.
-pub(super) fn readings(word: &str, language: Language) -> Vec<String> {
-    if !seems_code(word) || questions::read_code(word, language).is_ok() {
-        return Vec::new();
-    }
-    let pattern = questions::list::code_list::read_pattern(word, language).ok();
-    let codes = pattern.map(|pattern| questions::list::code_list::list_codes(Some(&pattern)));
-    codes.into_iter().flatten().map(|(code, _)| code.to_string()).collect()
-}
-
 /// Largest number of readings of a code that a remark lists.
 const READINGS_MOST: usize = 8;
 
@@ -270,11 +261,6 @@ fn with_one_option(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
         }
         _ => None,
     }
-}
-
-/// Returns `true` if the encoder of the actuator with a code is buffered by a battery; `None` for a word that is no code.
-pub(super) fn has_battery(word: &str, language: Language) -> Option<bool> {
-    questions::has_battery(&questions::read_code(word, language).ok()?.parsed.code)
 }
 
 /// Largest number of names that are tried for a file of answers.

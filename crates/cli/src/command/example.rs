@@ -1,10 +1,10 @@
 //! Calls that work, with the words of a faulty one.
 
 use super::best::best_of_project;
-use super::completed::{has_battery, readings};
 use super::folder::{has_ending, project_name, projects_in, recordings};
 use super::meant::{Called, Part, Stray, understood};
 use super::own::VARY;
+use super::readings::{has_battery, readings};
 use super::typed::typed;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use project::{Hint, written};

@@ -1,7 +1,7 @@
 //! Names of products that a call may state in place of an ordering code.
 
-use super::completed::readings;
 use super::meant::Called;
+use super::readings::readings;
 use crate::call::catalogue_of;
 use crate::source::SourceFile;
 use clap::Arg;

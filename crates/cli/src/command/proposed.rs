@@ -9,7 +9,7 @@ use super::own::{VARY, is_of_several};
 use super::spoken::option_meant;
 use super::typed::{number_and_unit, typed};
 use super::unknown;
-use crate::changed::{factor, keys, with_units};
+use crate::changed::{accepted, factor, keys, with_units};
 use clap::{Arg, Command};
 use project::{Hint, Written, nearest_name, written};
 use quantities::{Dimension, parse};
@@ -196,7 +196,7 @@ impl Called<'_> {
             Dimension::ALL.iter().any(|dimension| parse(*dimension, stated).is_ok() && parse(*dimension, word).is_ok())
         };
         let is_stated =
-            |each: &&Written| each.value.as_deref().is_some_and(is_alike) && keys::is_quantity(&each.path, word);
+            |each: &&Written| each.value.as_deref().is_some_and(is_alike) && accepted::is_quantity(&each.path, word);
         let found: Vec<&str> = all.iter().filter(is_stated).map(|each| each.path.as_str()).collect();
         let of_moves = ["distance", "time"]
             .into_iter()
@@ -284,7 +284,7 @@ impl Called<'_> {
                 return with_units.iter().map(|(path, value)| change(path, value)).collect();
             }
             let paths = keys::named(&all, "", &name, value);
-            paths.iter().filter(|path| keys::takes(path, value)).map(|path| change(path, value)).collect()
+            paths.iter().filter(|path| accepted::takes(path, value)).map(|path| change(path, value)).collect()
         };
         let options: Vec<[String; 2]> = match meant {
             _ if is_file(&name) && !self.has(&name) => {

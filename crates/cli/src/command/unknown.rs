@@ -6,7 +6,7 @@ use super::completed::operation;
 use super::meant::Called;
 use super::own::{VARY, is_of_several};
 use super::spoken::{option_meant, seems_code, twin_options};
-use crate::changed::{LOAD_FACTORS, factor, keys, mass, motion, prefix};
+use crate::changed::{LOAD_FACTORS, accepted, factor, keys, mass, motion, prefix};
 use clap::Command;
 use project::{Written, distance_of_stations, written};
 use quantities::Language;
@@ -244,7 +244,7 @@ impl Unknown<'_> {
         let is_value = |count: &usize| {
             let taken = |value: String| match varies && is_of_several(&value) {
                 true => *count == 1 || is_unit(behind.last().copied().unwrap_or_default()),
-                false => keys::named(&all, &prefix, &key, &value).iter().any(|path| keys::takes(path, &value)),
+                false => keys::named(&all, &prefix, &key, &value).iter().any(|path| accepted::takes(path, &value)),
             };
             joined(*count).is_some_and(taken)
         };
@@ -281,7 +281,7 @@ impl Unknown<'_> {
             [path] => Some(vec!["--set".to_owned(), format!("{path}={value}")]),
             // The refusal of an ambiguous key names each of them.
             [_, _, ..] => plainly(),
-            [] if project::key_at(key).is_some_and(|key| !keys::is_table(key.kind)) => {
+            [] if project::key_at(key).is_some_and(|key| !accepted::is_table(key.kind)) => {
                 Some(vec!["--set".to_owned(), format!("{prefix}{key}={value}")])
             }
             [] => None,

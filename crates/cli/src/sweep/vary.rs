@@ -1,6 +1,6 @@
 //! Values of keys that a call states in place of a table: `--vary payload=0,10,20kg`.
 
-use crate::changed::{keys, motion, places, prefix};
+use crate::changed::{accepted, keys, motion, places, prefix};
 use crate::command::own::VARY;
 use crate::command::typed::{number_and_unit, typed};
 use project::{Heading, Hint, Unfilled, Written, key_at, written};
@@ -262,7 +262,7 @@ fn column(
     }
     let key = project::with_brackets(key);
     let key = key.strip_prefix(prefix).unwrap_or(&key);
-    let path = if key == questions::sweep::CODE || key_at(key).is_some_and(|key| !keys::is_table(key.kind)) {
+    let path = if key == questions::sweep::CODE || key_at(key).is_some_and(|key| !accepted::is_table(key.kind)) {
         key.to_owned()
     } else {
         let own = |path: &String| path.strip_prefix(prefix).unwrap_or(path).to_owned();
@@ -302,7 +302,7 @@ fn column(
         let value =
             all.iter().find(|each| each.path == format!("{prefix}{path}")).and_then(|each| each.value.as_deref());
         let own = value.map(|value| number_and_unit(value).1).filter(|unit| !unit.is_empty());
-        let fitting = keys::UNITS.into_iter().filter(|unit| keys::is_quantity(&path, &values.last(unit)));
+        let fitting = keys::UNITS.into_iter().filter(|unit| accepted::is_quantity(&path, &values.last(unit)));
         let units: Vec<&str> = own.map_or_else(|| fitting.collect(), |own| vec![own]);
         let options = units.into_iter().take(NAMED_MOST).map(|unit| change(&path, &format!("{text} {unit}"))).collect();
         let hint = usage_hint(&UsageHint::Calls(options), language);
