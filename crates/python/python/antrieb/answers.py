@@ -30,6 +30,8 @@ class Sizing(Record):
     """Number of actuators of the catalogue judged."""
     fit: int
     """Number of actuators that fit within every limit, verdict `fits`."""
+    not_evaluated: int
+    """Number of actuators among `fit` for which data are missing for every check that can reject them."""
     fit_if_estimate: int
     """Number of further actuators that fit if an estimate holds, verdict `fits_if_estimate`."""
     fitting: int
@@ -268,6 +270,8 @@ class Tolerance(Record):
     """`uniform` in every case."""
     passes: int
     """Number of samples with which the actuator fits."""
+    passes_if_estimate: int
+    """Number of samples among `passes` with which it fits if an estimate holds, `fits_if_estimate`."""
     impossible: int
     """Number of samples without a valid axis; none of them passes."""
     share: float | None

@@ -882,7 +882,7 @@ class Winder(Mechanism):
         efficiency_back: float | None = None,
     ) -> None:
         """Args:
-            winding: Winding or unwinding of the web with positive rotation; default: winding; default up, listed as assumed.
+            winding: Winding or unwinding of the web with positive rotation; default up, listed as assumed.
             core_diameter: Outer diameter of the core. Length such as `"90 mm"`, above zero.
             full_diameter: Diameter of the full roll. Length such as `"400 mm"`, above zero.
             start_diameter: Diameter at position zero; default: the core when winding, the full roll when unwinding, listed as assumed. Length such as `"90 mm"`, above zero.
@@ -2368,7 +2368,7 @@ class CatalogueFiles(Section):
     ) -> None:
         """Args:
             files: Catalogue files in TOML or CSV, relative to the project.
-            cha: False: the built-in series is not offered; default true.
+            cha: Built-in series included; default: true; default true.
         """
         self._begin(
             files=files,
