@@ -175,7 +175,7 @@ pub struct Sizing {
     /// Number of actuators that fit within every limit, verdict `fits`.
     pub fit: usize,
     /// Number of actuators among `fit` for which data are missing for every check that can reject them.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[serde(default, skip_serializing_if = "is_zero")]
     pub not_evaluated: usize,
     /// Number of further actuators that fit if an estimate holds, verdict `fits_if_estimate`.
     pub fit_if_estimate: usize,

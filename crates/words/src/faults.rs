@@ -204,7 +204,7 @@ pub(crate) fn file_fault_text(fault: &Fault, language: Language) -> String {
             } else {
                 ("must not be negative", "darf nicht negativ sein")
             };
-            said!(language => "`{path}` {en}, not \"{written}\"" | "`{path}` {de}, nicht „{written}“")
+            said!(language => "`{path}` {en}: \"{written}\"" | "`{path}` {de}: „{written}“")
         }
         Fault::BelowAbsoluteZero { path, written } => said!(language =>
             "`{path}`: \"{written}\" is below absolute zero"

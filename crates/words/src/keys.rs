@@ -50,8 +50,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "Katalogdateien in TOML oder CSV, relativ zum Projekt",
         ),
         About::Catalogue(CatalogueName::cha) => (
-            "built-in series included; default: true",
-            "mitgelieferte Baureihe berücksichtigt; ohne Angabe true",
+            "built-in series included",
+            "mitgelieferte Baureihe berücksichtigt",
         ),
         About::CatalogueFile(CatalogueFileName::catalogue) => (
             "statements that apply to all products of the file",

@@ -193,7 +193,7 @@ pub fn usage_hint(hint: &UsageHint, language: Language) -> String {
         }
         UsageHint::Calls(calls) => {
             let calls = calls.join("\n");
-            said!(language => "example: {calls}" | "Beispiel: {calls}")
+            said!(language => "write: {calls}" | "so schreiben: {calls}")
         }
         UsageHint::Help => said!(language => "--help shows the syntax" | "--help zeigt den Aufruf"),
     }

@@ -527,8 +527,8 @@ fn no_entry_takes_a_file_at_its_word() {
                 let last = errors.as_array().unwrap().last().unwrap()["message"].as_str().unwrap();
                 assert_eq!(last, "and 10000 more faults; the rest of the table was not checked");
             }
-            // Nor are rows below headings of which none is a key.
-            assert!(call[0] != "sweep" || name != "lines.csv" || errors.as_array().unwrap().len() <= 3, "{errors}");
+            // Nor are many rows below headings of which some are none.
+            assert!(call[0] != "sweep" || name != "lines.csv" || errors.as_array().unwrap().len() <= 30, "{errors}");
         }
         assert!(!folder.path().join("out.csv").exists());
     }

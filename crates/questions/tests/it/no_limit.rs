@@ -19,7 +19,7 @@ fn project(actuator: &str, requirements: &str) -> String {
     format!(
         "format = 1\n[load]\ninertia = \"1.3 kg m^2\"\nfriction_torque = \"5 N m\"\n[[motion]]\nlaw = \"manual\"\n\
          speed = \"40 1/min\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n\
-         [bearing]\noverhang = \"60 mm\"\n[requirements]\n{requirements}[actuator]\n{actuator}"
+         [bearing]\nradial_force = \"90 N\"\nradial_distance = \"60 mm\"\n[requirements]\n{requirements}[actuator]\n{actuator}"
     )
 }
 
