@@ -34,8 +34,8 @@ pub(super) fn fault(error: &BodyError, language: Language) -> String {
             )
         } else {
             said!(language =>
-                "`{key}` must be greater than zero, not {value}"
-                | "`{key}` muss größer als null sein, nicht {value}"
+                "`{key}` must be greater than zero: {value}"
+                | "`{key}` muss größer als null sein: {value}"
             )
         }
     };

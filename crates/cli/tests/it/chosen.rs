@@ -30,7 +30,7 @@ fn a_pattern_and_the_partner_of_a_comparison_are_those_of_the_changed_project() 
         tried += 1;
         differing += u32::from(best("") != Some(of_change.clone()));
         for written in
-            [format!("check {kind}.toml --code=CHA-* {CHANGE}"), format!("check {kind}.toml --code CHA-* load=2.5")]
+            [format!("check {kind}.toml --code=CHA-* {CHANGE}"), format!("check {kind}.toml --code CHA-* --scale load=2.5")]
         {
             let checked = call(here, &format!("antrieb {written}"));
             assert!(checked.code == 0 && checked.err.contains(&of_change), "{written}: {of_change}\n{}", checked.err);
@@ -45,7 +45,7 @@ fn a_pattern_and_the_partner_of_a_comparison_are_those_of_the_changed_project() 
 fn a_pattern_is_every_actuator_that_it_may_mean() {
     let folder = tempfile::tempdir().unwrap();
     assert_eq!(call(folder.path(), "antrieb new turntable --out axis.toml").code, 0);
-    for command in ["data", "wiring", "encoder", "torsion", "curve", "mount", "commission", "upkeep"] {
+    for command in ["data", "wiring", "encoder", "curve", "mount", "commission", "upkeep"] {
         for pattern in ["CHA-25A", "CHA-25A-1?0-H-C1024", "CHA-25A-100-H-M*", "CHA-17A-*-M128S"] {
             let refused = call(folder.path(), &format!("antrieb {command} {pattern}"));
             let calls = named(&refused.err);
