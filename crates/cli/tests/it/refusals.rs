@@ -294,7 +294,7 @@ fn calls_as_people_write_them_are_answered() {
         ("antrieb moves lift.toml --set \"Motion[1].TIME=4 s\"", "motion[1].time"),
         ("antrieb moves machine.toml --axis TILT mass=4kg", "axis[1].mechanism.arm.mass 5 kg → 4kg"),
         ("antrieb moves machine.toml --axis 1 mass=4kg", "axis[1].mechanism.arm.mass 5 kg → 4kg"),
-        ("antrieb moves machine.toml tilt.mass=4kg", "axis[1].mechanism.arm.mass 5 kg → 4kg"),
+        ("antrieb size machine.toml tilt.mass=4kg", "axis[1].mechanism.arm.mass 5 kg → 4kg"),
         ("antrieb moves machine.toml mass=4kg", "axis[1].mechanism.arm.mass 5 kg → 4kg"),
         ("antrieb moves machine.toml --scale load=1.5", "axis[2].load.inertia 1 kg m^2 → 1.5 kg m^2"),
         ("antrieb wiring lift.toml --set mass=60kg", "mass=60kg"),
