@@ -60,6 +60,7 @@ impl Cell {
         match self {
             Self::Text(text) => Some(text),
             Self::Word(id, _) => Some(id),
+            Self::Ids(ids, _) => Some(ids),
             _ => None,
         }
     }

@@ -85,7 +85,9 @@ fn errata_are_marked(file: &str, bytes: &[u8], subject: &Subject<'_>) -> usize {
         let data = candidate.parameters;
         let ids = [data.mass.known().map(|each| each.errata), data.length.known().map(|each| each.errata)];
         for id in ids.into_iter().flatten().flatten() {
-            assert!(row[errata].to_string().contains(id), "{file} {name}: {id}");
+            // By table and cell: the reader does not know the ids of the data.
+            let shown = row[errata].to_string();
+            assert!(!shown.is_empty() && !shown.contains(id), "{file} {name}: {id}");
             marked += 1;
         }
     }
