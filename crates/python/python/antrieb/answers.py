@@ -30,7 +30,7 @@ class Sizing(Record):
     """Number of actuators of the catalogue judged."""
     fit: int
     """Number of actuators that fit within every limit, verdict `fits`."""
-    not_evaluated: int
+    not_evaluated: int | None = None
     """Number of actuators among `fit` for which data are missing for every check that can reject them."""
     fit_if_estimate: int
     """Number of further actuators that fit if an estimate holds, verdict `fits_if_estimate`."""

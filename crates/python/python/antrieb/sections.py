@@ -2368,7 +2368,7 @@ class CatalogueFiles(Section):
     ) -> None:
         """Args:
             files: Catalogue files in TOML or CSV, relative to the project.
-            cha: Built-in series included; default: true; default true.
+            cha: Built-in series included; default true.
         """
         self._begin(
             files=files,
