@@ -307,7 +307,7 @@ pub struct Tolerance {
     pub passes: usize,
     /// Number of samples among `passes` with which it fits if an estimate holds, `fits_if_estimate`.
     pub passes_if_estimate: usize,
-    /// The same as text with the condition; empty for none.
+    /// This number as text with the condition; empty for none.
     #[serde(skip)]
     pub condition: String,
     /// Number of samples without a valid axis; none of them passes.

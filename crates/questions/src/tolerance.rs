@@ -145,7 +145,7 @@ pub struct Assessment {
     pub sampling: Sampling,
     /// Number of samples with which the actuator fits.
     pub passes: usize,
-    /// Those of them with which it fits on a condition.
+    /// Samples among `passes` with which it fits on a condition.
     pub conditional: Conditional,
     /// Number of samples with which no axis is possible; none of them passes.
     pub impossible: usize,

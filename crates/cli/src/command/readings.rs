@@ -1,4 +1,4 @@
-//! What a word that is a code, or a part of one, says about actuators.
+//! Statements of a word about actuators: the codes that a part of a code allows, and the battery of a code.
 
 use super::spoken::seems_code;
 use quantities::Language;

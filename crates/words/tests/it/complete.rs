@@ -117,7 +117,6 @@ fn rules_requirements_and_codes() {
         Unmet::Mass { has: q(2.0), permits: q(1.0) },
         Unmet::SupplyTooLow { needs: q(300.0), gives: q(200.0) },
         Unmet::NotKnown { symbol: "d_H", requires: 0.02 },
-        Unmet::NotKnown { symbol: "L", requires: 0.1 },
         Unmet::NotKnown { symbol: "m", requires: 1.0 },
         Unmet::NotKnown { symbol: "U_M", requires: 560.0 },
     ];
@@ -589,15 +588,13 @@ fn an_overdetermined_move_is_called_so() {
 /// The bounds of a number have the decimal sign of the language and all of their digits.
 #[test]
 fn bounds_are_written_in_the_language() {
-    let of = |low: f64, high: f64, language| {
-        words::fault_text(&Fault::NumberOutOfRange { path: "stage.ratio".to_owned(), low, high }, language)
-    };
+    let path = || "stage.ratio".to_owned();
+    let of = |low, high, language| words::fault_text(&Fault::NumberOutOfRange { path: path(), low, high }, language);
     for (low, high, en, de) in [
         (0.01, 1000.0, "from 0.01 to 1000", "von 0,01 bis 1000"),
         (-1e4, 1e4, "from −10000 to 10000", "von −10000 bis 10000"),
         (1e-6, 1e9, "from 0.000001 to 1000000000", "von 0,000001 bis 1000000000"),
     ] {
-        assert!(of(low, high, Language::En).contains(en), "{}", of(low, high, Language::En));
-        assert!(of(low, high, Language::De).contains(de), "{}", of(low, high, Language::De));
+        assert!(of(low, high, Language::En).contains(en) && of(low, high, Language::De).contains(de), "{en}");
     }
 }
