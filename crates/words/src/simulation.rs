@@ -317,7 +317,9 @@ pub fn run_check_against(check: &RunCheck, language: Language) -> String {
     let title = run_check_title(check.id, language);
     match check.limit_symbol {
         "" => title,
-        "T_KTY_shutdown" => crate::simulation::limit_named(&title, &crate::simulation::shutdown_threshold(language), language),
+        "T_KTY_shutdown" => {
+            crate::simulation::limit_named(&title, &crate::simulation::shutdown_threshold(language), language)
+        }
         symbol => crate::simulation::limit_named(&title, &symbol, language),
     }
 }

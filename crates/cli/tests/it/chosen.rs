@@ -29,9 +29,10 @@ fn a_pattern_and_the_partner_of_a_comparison_are_those_of_the_changed_project() 
         let Some(of_change) = best(CHANGE) else { continue };
         tried += 1;
         differing += u32::from(best("") != Some(of_change.clone()));
-        for written in
-            [format!("check {kind}.toml --code=CHA-* {CHANGE}"), format!("check {kind}.toml --code CHA-* --scale load=2.5")]
-        {
+        for written in [
+            format!("check {kind}.toml --code=CHA-* {CHANGE}"),
+            format!("check {kind}.toml --code CHA-* --scale load=2.5"),
+        ] {
             let checked = call(here, &format!("antrieb {written}"));
             assert!(checked.code == 0 && checked.err.contains(&of_change), "{written}: {of_change}\n{}", checked.err);
         }

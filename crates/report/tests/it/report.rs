@@ -107,7 +107,8 @@ fn every_sample_says_all_that_its_records_say(sample: Sample, content: &Content)
                 .iter()
                 .any(|check| *check.id == *missing.check && check.value.is_some());
             // What has no limit is listed without the key of it.
-            let has_no_limit = ["no limit stated", "keine Grenze angegeben"].iter().any(|no| missing.text.starts_with(no));
+            let has_no_limit =
+                ["no limit stated", "keine Grenze angegeben"].iter().any(|no| missing.text.starts_with(no));
             says(&brief, if shown || has_no_limit { "" } else { &missing.text });
         }
         for document in &dossier.documents {

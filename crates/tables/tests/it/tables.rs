@@ -287,7 +287,10 @@ fn a_workbook_opens_with_every_row_and_live_formulas() {
                         match (cell, found) {
                             (Cell::Number(number), Some(Data::Float(found))) => assert_eq!(number, found),
                             (Cell::Number(number), Some(Data::Int(found))) => assert_eq!(*number, *found as f64),
-                            (Cell::Text(text) | Cell::Word(_, text) | Cell::Ids(_, text), Some(Data::String(found))) => {
+                            (
+                                Cell::Text(text) | Cell::Word(_, text) | Cell::Ids(_, text),
+                                Some(Data::String(found)),
+                            ) => {
                                 assert_eq!(text, found);
                             }
                             (Cell::Empty, None | Some(Data::Empty)) => {}
