@@ -7,7 +7,7 @@ use configurator::ProductId;
 use quantities::Unit;
 use quantities::unit::ONE;
 use sizing::{Check, CheckId, Fit, Proviso, Verdict};
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 /// A value of the gearing, or of a counterweight, with which an actuator fits, judged as displayed.
 #[derive(Clone, Debug, PartialEq)]
@@ -276,7 +276,7 @@ impl Default for RankedAxis {
 }
 
 /// The failing checks of each rejected actuator.
-type Failing = HashMap<ProductId, Vec<CheckId>>;
+type Failing = BTreeMap<ProductId, Vec<CheckId>>;
 
 /// Returns the failing checks of every actuator that the catalogue offers for an axis.
 fn excluded_by_a_check(project: &AxisProject, progress: &Progress) -> Result<Failing, Refusal> {
