@@ -86,10 +86,9 @@ fn collect(all: &[Written], (keys, above): (&'static [Key], &str), prefix: &str,
         let path = format!("{above}{}", key.name);
         let inside = path.strip_prefix(prefix).unwrap_or(&path);
         let is_of_one_kind = LOADS.iter().any(|(table, _)| *table == inside) || inside.starts_with("mechanism.");
-        if is_of_one_kind && is_table(key.kind) && above.matches('.').count() <= prefix.matches('.').count() + 1 {
-            if !is_written(&path) {
-                continue;
-            }
+        let is_near = above.matches('.').count() <= prefix.matches('.').count() + 1;
+        if is_of_one_kind && is_table(key.kind) && is_near && !is_written(&path) {
+            continue;
         }
         match key.kind {
             Kind::Table(below) => collect(all, (below, &format!("{path}.")), prefix, found),
