@@ -104,7 +104,7 @@ fn other_command(command: &str, behind: &[&str], language: Language) -> Option<&
     let is_readable = |word: &str| questions::list::code_list::read_pattern(word, language).is_ok();
     let is_code = |word: &&&str| seems_code(word) && (word.contains('?') || is_readable(word));
     let bare = || behind.iter().take_while(|word| !word.starts_with('-'));
-    let has_code = bare().any(|word| is_code(word));
+    let has_code = bare().any(|word| is_code(&word));
     let has_project = behind.iter().any(|word| has_ending(word, &[".toml"]) || *word == "-");
     let stated = || behind.iter().enumerate().filter(|(place, word)| is_code(word) && is_value_of_code(behind, *place));
     let is_of_several = || stated().count() > 1 || behind.iter().filter(|word| **word == "--code").count() > 1;
