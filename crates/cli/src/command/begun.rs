@@ -137,7 +137,7 @@ fn of_first(words: &[&str], language: Language) -> Option<&'static str> {
     if has_ending(first, &[".toml"]) && Path::new(first).is_file() {
         let is_code =
             |word: &&str| seems_code(word) && questions::list::code_list::read_pattern(word, language).is_ok();
-        return Some(if words.iter().skip(1).any(|word| is_code(word)) { "check" } else { "size" });
+        return Some(if words.iter().skip(1).any(is_code) { "check" } else { "size" });
     }
     if seems_code(first) && questions::read_code(first, language).is_ok() {
         return Some("data");
