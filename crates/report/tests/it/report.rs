@@ -217,9 +217,10 @@ fn open_points_are_counted_once_and_for_all(sample: Sample, content: &Content) {
             (_, false) => "checks could not be made",
         };
         assert!(cover.contains(&letters(&format!("{open} {words}"))), "{}: {open}", sample.name);
-        let may = candidate.checks.iter().filter(|check| {
-            *check.verdict == answers::Verdict::NotChecked && check.value.is_none() && !check.id.is_recommendation()
-        });
+        let may = candidate
+            .checks
+            .iter()
+            .filter(|check| check.is_open && check.value.is_none() && !check.id.is_recommendation());
         // Those with a rating of another gear rule out by a limit of the manufacturer alone, on the cover as in the list.
         let (by_own_limit, may): (Vec<&Check>, Vec<&Check>) = may.partition(|check| check.id.may_be_rated_elsewhere());
         let words = if de {
