@@ -6,7 +6,7 @@ from typing import Any, final
 from antrieb._arrow import ArrowArray, ArrowSchema, ArrowStream
 from antrieb._lines import Grid
 
-__all__ = ["VERSION", "Sweep", "Table", "ask", "edited", "forked", "is_limit", "labels", "missing_data", "progress_line", "run", "settle", "symbol", "value_faults"]
+__all__ = ["VERSION", "Sweep", "Table", "ask", "edited", "forked", "is_limit", "labels", "missing_data", "progress_line", "run", "settle", "symbol", "unit_in_si", "value_faults"]
 
 VERSION: str
 

@@ -9,7 +9,7 @@ import os
 import re
 from collections.abc import Iterable, Mapping, Sequence, Set
 from datetime import date, timedelta
-from typing import TYPE_CHECKING, Any, Literal, cast
+from typing import TYPE_CHECKING, Any, Literal
 
 from antrieb import _antrieb, _origin
 from antrieb._axis import BaseProject, to_source
@@ -246,10 +246,10 @@ def _of_arguments(value: Any) -> Any:
         return value
     own: dict[str, Any] = {}
     for key, each in found.items():
+        notes: Any = each
         if key == "why" and isinstance(each, str):
             own[key] = _own(each)
         elif key == "notes" and isinstance(each, list):
-            notes = cast("list[Any]", each)
             own[key] = [_own(note) if isinstance(note, str) else _of_arguments(note) for note in notes]
         else:
             own[key] = _of_arguments(each)
@@ -465,7 +465,7 @@ def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
             continue
         each = each_of(value, name)
         # Without the argument it is an empty tuple.
-        if not each and not (name == "check" and type(value) is tuple):
+        if not each and not (name == "check" and value == ()):
             raise fault(f"{argument(name)}: the list is empty", "leave the argument out, or write a value")
         if name not in SEVERAL and (len(each) != 1 or each[0] is not value):
             raise TypeError(f"{argument(name)}: one value is expected, not {type(value).__name__}")

@@ -312,7 +312,8 @@ def _listed(record: Any) -> str:
     """The list of a record that its table shows: the longest one of records; empty without one."""
     if getattr(record, TABLES.get(type(record).__name__, ""), None):
         return TABLES[type(record).__name__]
-    lists = {name: cast("list[Any]", value) for name in _names(type(record)) if isinstance(value := getattr(record, name), list)}
+    fields: dict[str, Any] = {name: getattr(record, name) for name in _names(type(record))}
+    lists: dict[str, list[Any]] = {name: value for name, value in fields.items() if isinstance(value, list)}
     lengths = {name: len(value) for name, value in lists.items() if value and all(isinstance(each, Record) for each in value)}
     return max(lengths, key=lambda name: lengths[name]) if lengths else ""
 
