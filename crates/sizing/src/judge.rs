@@ -113,7 +113,7 @@ impl Judgement {
 /// the largest utilisation among those with a margin.
 ///
 /// Two checks may have the same utilisation, as those of the mean speed at the output and at the motor, up to the
-/// rounding of the machine; of these the one with the highest [`precedence`] is returned, on every machine.
+/// rounding of the machine; of these the one with the highest `precedence` is returned, on every machine.
 #[must_use]
 pub fn governing(checks: &Checks) -> Option<&Check> {
     let fails = any_fails(checks);
