@@ -19,7 +19,7 @@ const PATIENCE: Duration = Duration::from_secs(30);
 /// Minimum width of a Firefox window in the tests; the browser permits no less than about 450 pixels.
 const FIREFOX_LEAST: u32 = 500;
 
-/// Longest time after a step until the focus has a place in Firefox.
+/// Longest time after a step until the focus has a place: a swap and what follows it are two tasks of the page.
 const FOCUS_AFTER: Duration = Duration::from_millis(500);
 
 /// Keys by their WebDriver codes.
@@ -152,8 +152,8 @@ impl Tab {
             // A page that is being left has no frame.
             let Ok(Value::Array(found)) = self.eval(frame) else { return Ok(()) };
             let is_lost = found.get(2) == Some(&Value::Bool(true));
-            // Between a swap and its end the focus is nowhere; the driver of Firefox answers there too.
-            if !is_lost || self.make != Make::Firefox || begin.elapsed() > FOCUS_AFTER {
+            // Between a swap and its end the focus is nowhere, and a driver may answer there.
+            if !is_lost || begin.elapsed() > FOCUS_AFTER {
                 break (found, is_lost);
             }
             std::thread::sleep(Duration::from_millis(20));
