@@ -178,7 +178,9 @@ impl<'m> Call<'m> {
         language: Language,
     ) -> Result<Self, Unanswered> {
         let mut files = read(entry, matches, language)?;
-        let changes = change(&mut files, matches, language)?;
+        // Of two revisions the new one has the changes of the call.
+        let unchanged = usize::from(entry.reads == Reads::TwoProjects && files.len() > 1);
+        let changes = change(files.get_mut(unchanged..).unwrap_or_default(), matches, language)?;
         let catalogue = catalogue(matches, language)?;
         Ok(Self { entry, matches, as_json, language, files, changes, catalogue })
     }

@@ -370,6 +370,13 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
     let (what, factor) = change.split_once('=').map_or((change, ""), |(what, factor)| (what.trim(), factor.trim()));
     let what = words::spoken::scaled(what).unwrap_or(what);
     if !SCALED.contains(&what) {
+        // The value of one key: the percentage says the same.
+        let percent = |number: f64| unpadded((100.0 * (number - 1.0)).abs(), 9, Language::En);
+        let of_key = any_factor(factor)
+            .map(|number| format!("{what}={}{}%", if number < 1.0 { "-" } else { "+" }, percent(number)));
+        if let Some(made) = of_key.and_then(|change| set(text, &change, prefix, language).ok()) {
+            return Ok(made);
+        }
         let words: Vec<String> = SCALED.iter().map(|word| (*word).to_owned()).collect();
         return Err(bad(change, "scale", UsageHint::Words(project::Hint::ValidAre(words)), language));
     }
@@ -388,17 +395,30 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
     // Without a wanted axis the factor is one of each.
     let axes = if prefix.is_empty() { places::axes(&all) } else { Vec::new() };
     let prefixes: Vec<&str> = if axes.is_empty() { vec![prefix] } else { axes.iter().map(String::as_str).collect() };
-    let (mut done, mut fault) = (None, None);
+    let (mut done, mut fault, mut scaled) = (None, None, Vec::new());
     for prefix in prefixes {
         let before: &str = done.as_deref().unwrap_or(text);
         match scaled_axis(before, (&all, prefix), (what, number), language) {
-            Ok(Some(changed)) => done = Some(changed),
+            Ok(Some(changed)) => {
+                done = Some(changed);
+                scaled.extend(places::name(&all, prefix));
+            }
+            // Every axis has a motion, not every one a payload.
+            Ok(None) if ["time", "distance"].contains(&what) => {
+                fault = Some((places::name(&all, prefix), (terminal::scale_not_possible(&what, language), None)));
+            }
             Ok(None) => {}
-            Err(why) => fault = Some(why),
+            Err(why) => fault = Some((places::name(&all, prefix), why)),
         }
     }
-    if let (None, Some(fault)) = (&done, fault) {
-        return Err(fault);
+    if let Some((axis, (why, hint))) = fault {
+        // A factor of some of the axes alone would look like one of all.
+        return Err(match axis {
+            Some(axis) if !scaled.is_empty() => {
+                (terminal::not_scaled(&axis, &why, &scaled.join(", "), language), hint)
+            }
+            _ => (why, hint),
+        });
     }
     let done = done.filter(|done| done != text || number == 1.0);
     let said = |done: &str| {

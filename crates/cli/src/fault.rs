@@ -42,6 +42,7 @@ fn is_about_text(why: &Unanswered) -> bool {
         | Unanswered::File { .. }
         | Unanswered::Option { .. }
         | Unanswered::Message(_)
+        | Unanswered::WhichAxis { .. }
         | Unanswered::Usage(_)
         | Unanswered::Refused(..) => false,
     }
@@ -70,6 +71,7 @@ fn add_messages(why: &Unanswered, said: &mut Vec<String>, language: Language) {
             format!("{error}: --{name}: {}\n{}", seen(message), hinted(hint.as_deref()))
         }
         Unanswered::Message((message, hint)) => format!("{error}: {}\n{}", seen(message), hinted(hint.as_deref())),
+        Unanswered::WhichAxis { message, .. } => format!("{error}: {}\n", seen(message)),
         Unanswered::Usage(errors) => errors
             .iter()
             .map(|fault| format!("{error}: {}\n{}", seen(&fault.message), hinted(fault.hint.as_deref())))

@@ -30,8 +30,8 @@ pub(crate) fn simulate(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Command
         saver.ready(&[file])?;
     }
     if (file.is_some() || draws) && axes.len() > 1 {
-        let names: Vec<&str> = axes.iter().map(|(_, project)| project.name.as_str()).collect();
-        return Err(Unanswered::message(terminal::several_axes(&names.join(", "), language)));
+        let names = axes.iter().map(|(_, project)| project.name.clone()).collect();
+        return Err(Unanswered::which_axis(names, |names| terminal::several_axes(&names, language)));
     }
     let runs = inquiry.each(&axes, |project| args.simulated(project, inquiry, file.is_some() || draws))?;
     let fits = runs.iter().all(questions::Simulated::fits);

@@ -49,12 +49,6 @@ pub struct CodeRefusal {
 /// Number of codes proposed in place of one that does not exist.
 const PROPOSALS: usize = 3;
 
-/// Returns `true` if an encoder of the actuator with a code is buffered by a battery; `None` without data in the manual.
-#[must_use]
-pub fn has_battery(code: &OrderCode) -> Option<bool> {
-    Some(installation::encoder::encoders(code)?.iter().any(|each| each.feedback.buffered_by_battery))
-}
-
 /// Reads a code and checks it against the rules of the ordering tables.
 ///
 /// # Errors

@@ -56,8 +56,9 @@ pub use axis::Catalogue;
 pub use budget::{AngularError, AngularErrors, angular_errors};
 pub use chapters::read_quantity;
 pub use closed::{OpenCycle, closed, is_open_cycle};
-pub use codes::{CodeRefusal, has_battery, read_code, read_product};
+pub use codes::{CodeRefusal, read_code, read_product};
 pub use fingerprint::{catalogue_fingerprint, file_products, project_fingerprint};
+pub use installation::upkeep::has_battery;
 pub use progress::Progress;
 pub use reading::{
     Unread, embedded_catalogue, read, read_all, read_all_watched, read_all_with, read_with, with_catalogue_files,

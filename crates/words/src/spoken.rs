@@ -549,7 +549,9 @@ pub fn scaled(word: &str) -> Option<&'static str> {
 /// Returns the language of a word: its identifier or its name, in any case.
 #[must_use]
 pub fn language_of(word: &str) -> Option<Language> {
-    match word.to_lowercase().as_str() {
+    let word = word.to_lowercase();
+    // `de_DE.UTF-8` is a locale.
+    match word.split(['_', '-', '.']).next().unwrap_or_default() {
         "de" | "deutsch" | "german" => Some(Language::De),
         "en" | "englisch" | "english" => Some(Language::En),
         _ => None,

@@ -172,6 +172,7 @@ texts! {
         "ambient temperature from {least} to {most} °C" | "Umgebungstemperatur von {least} bis {most} °C";
     values_set(values) = "set: {values}" | "gesetzt: {values}";
     call_understood(call) = "understood as: {call}" | "verstanden als: {call}";
+    not_scaled(axis, why, others) = "axis {axis}: {why}; select another axis with --axis: {others}" | "Achse {axis}: {why}; eine andere Achse mit --axis wählen: {others}";
     changed_for_this_call(change) = "for this call: {change}" | "für diesen Aufruf: {change}";
     values_of_a_new_project(values) =
         "not stated in the call, values of a new project: {values}"

@@ -46,6 +46,11 @@ pub enum Usage {
         /// Number of the actuators.
         count: usize,
     },
+    /// A project of several axes stands where one actuator is expected.
+    SeveralAxes {
+        /// Names of the axes.
+        names: String,
+    },
     /// The encoder of the actuator has no battery.
     NoBattery {
         /// Ordering code.
@@ -144,6 +149,7 @@ pub fn usage_text(usage: &Usage, language: Language) -> String {
             "\"{written}\" stands for {count} actuators, one is expected"
             | "„{written}“ steht für {count} Antriebe, erwartet wird einer"
         ),
+        Usage::SeveralAxes { names } => crate::terminal::several_axes(names, language),
         Usage::NoBattery { code } => said!(language =>
             "the encoder of {code} has no battery" | "der Geber von {code} hat keine Batterie"
         ),
@@ -221,6 +227,7 @@ mod tests {
             Usage::TooLong { most: 1 },
             Usage::NoMemory { written: word() },
             Usage::SeveralCodes { written: "CHA-25A".into(), count: 2 },
+            Usage::SeveralAxes { names: "lift, swivel".into() },
             Usage::NoBattery { code: "CHA-25A-100-H-C1024".into() },
             Usage::Other,
         ];

@@ -11,6 +11,12 @@ pub(super) fn spellings(name: &str) -> Vec<String> {
     if plain == written { vec![written] } else { vec![written, plain] }
 }
 
+/// Returns the name of the axis with a prefix; `None` for the only one of a project.
+pub(super) fn name(all: &[Written], prefix: &str) -> Option<String> {
+    let path = format!("{}name", Some(prefix).filter(|prefix| !prefix.is_empty())?);
+    all.iter().find(|each| each.path == path)?.value.clone()
+}
+
 /// Returns the number of entries of a list; `None` if the project has no list at a path.
 fn entries(all: &[Written], list: &str) -> Option<usize> {
     let is_there = |place: &usize| all.iter().any(|each| each.path == format!("{list}[{place}]"));

@@ -114,6 +114,7 @@ fn other_command(command: &str, behind: &[&str], language: Language) -> Option<&
         && word.contains('-')
         && word.starts_with(char::is_alphabetic)
         && questions::read_code(word, language).is_err()
+        && !is_readable(word)
     {
         return Some("data");
     }

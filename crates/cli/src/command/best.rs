@@ -1,6 +1,6 @@
 //! The best actuators of the project of a call, with the values that the call states in place of the file's.
 
-use super::folder::{catalogues, has_ending, kind_in_place_of_a_file};
+use super::folder::{axes_of, catalogues, has_ending, kind_in_place_of_a_file};
 use super::meant::{self, Called};
 use crate::call::catalogue_of;
 use crate::changed::Statements;
@@ -69,6 +69,16 @@ pub(super) fn best_of_project(words: &[&str], language: Language) -> Option<Stri
 pub(super) fn best_coded(project: &ProjectOfCall) -> Option<String> {
     let is_coded = |id: &str| questions::read_code(id, project.language).is_ok();
     best_products(project, 1, is_coded).into_iter().next()
+}
+
+/// Returns the names of the axes of a project that is read as its file states it, each with the code of its best actuator.
+pub(super) fn best_of_axes(path: &str, language: Language) -> Vec<(String, Option<String>)> {
+    let of_axis = |axis: String| {
+        let project = ProjectOfCall::of_file(path, language).map(|of| ProjectOfCall { axis: Some(axis.clone()), ..of });
+        let code = project.and_then(|project| best_coded(&project));
+        (axis, code)
+    };
+    axes_of(Path::new(path)).into_iter().map(of_axis).collect()
 }
 
 /// The best of the actuators that a part of a code allows.

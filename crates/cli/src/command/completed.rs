@@ -221,6 +221,15 @@ fn with_one_option(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
         "plot" if !is_given(&["figure"]) && !takes("--figure") && is_given(&["svg", "png"]) => {
             with(&["--figure", "torque_speed"], terminal::option_assumed(&"--figure torque_speed", language))
         }
+        // The project before and after the changes of the call.
+        "diff" if called.projects.len() == 1 && bare.iter().filter(|word| has_ending(word, &[".toml"])).count() == 1 => {
+            let is_changed = is_given(&["set", "scale"]) || takes("--set") || takes("--scale");
+            let project = called.projects.first().filter(|_| is_changed)?;
+            let place = arguments.iter().position(|word| project.as_os_str() == word)?;
+            let mut words = arguments.to_vec();
+            words.insert(place + 1, project.into());
+            Some((words, None))
+        }
         // The workbook beside the project, as the report.
         "export" if !is_given(&["out", "table", "format"]) && !super::json_of(arguments) => {
             called.projects.first().filter(|_| !takes("--table") && !takes("--out"))?;

@@ -1,6 +1,6 @@
 //! Calls that work, with the words of a faulty one.
 
-use super::best::best_of_project;
+use super::best::{best_of_axes, best_of_project};
 use super::folder::{has_ending, project_name, projects_in, recordings};
 use super::meant::{Called, Part, Stray, understood};
 use super::own::VARY;
@@ -203,13 +203,33 @@ impl Stray {
             let asked = typed(std::iter::once(super::NAME).chain(asked));
             return (Usage::Recording { written }, Some(UsageHint::Calls(vec![new, asked])));
         }
-        if called.entry.is_some_and(|entry| entry.command == "battery")
-            && has_battery(&self.word, called.language()) == Some(false)
-        {
-            let calls = vec![typed(["antrieb", "data", &self.word]), typed(["antrieb", "code", "list", BUFFERED])];
+        let mut readings = readings(&self.word, called.language());
+        // The simplest ones first: those without options.
+        readings.sort_by_key(String::len);
+        let is_about_batteries = called.entry.is_some_and(|entry| entry.command == "battery");
+        let is_buffered = |code: &String| has_battery(code, called.language()) == Some(true);
+        let is_unbuffered = || has_battery(&self.word, called.language()) == Some(false);
+        if is_about_batteries && (is_unbuffered() || !readings.is_empty() && !readings.iter().any(is_buffered)) {
+            let own: &[&str] = if readings.is_empty() { &["code", "parse"] } else { &["code", "list"] };
+            let own = std::iter::once("antrieb").chain(own.iter().copied()).chain([&*self.word]);
+            let calls = vec![typed(own), typed(["antrieb", "code", "list", BUFFERED])];
             return (Usage::NoBattery { code: written }, Some(UsageHint::Calls(calls)));
         }
-        let readings = readings(&self.word, called.language());
+        if is_about_batteries {
+            readings.retain(is_buffered);
+        }
+        let is_for_code = called.command.get_positionals().next().is_some_and(|position| called.is_code(position));
+        if is_for_code && called.is_of_several_axes(&self.word) && self.options.is_empty() && self.given.is_none() {
+            let axes = best_of_axes(&self.word, called.language());
+            let names: Vec<&str> = axes.iter().map(|(name, _)| name.as_str()).collect();
+            let of_axis = |(axis, code): &(String, Option<String>)| {
+                let _ = code.as_ref()?;
+                let words: Option<Vec<&str>> = arguments.iter().skip(1).map(|word| word.to_str()).collect();
+                Some(typed(std::iter::once(super::NAME).chain(words?).chain(["--axis", axis])))
+            };
+            let calls: Vec<String> = axes.iter().filter_map(of_axis).take(READINGS_MOST).collect();
+            return (Usage::SeveralAxes { names: names.join(", ") }, Some(UsageHint::Calls(calls)));
+        }
         if readings.len() > 1 && self.options.is_empty() && self.given.is_none() && called.projects.is_empty() {
             let with = |code: &String| {
                 let own = arguments.iter().enumerate().skip(1).filter_map(|(at, word)| Some((at, word.to_str()?)));

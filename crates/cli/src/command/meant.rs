@@ -438,13 +438,14 @@ impl<'c> Sorting<'c> {
         }
         let argument = called.entry.and_then(|_| called.argument(position.get_id().as_str()));
         let is_several = position.get_num_args().is_some_and(|range| range.max_values() > 1);
+        let is_code = argument.is_some_and(|argument| matches!(argument.kind, ArgumentKind::Code));
+        if is_code && code.is_empty() && (called.is_of_several_codes(rest) || called.is_of_several_axes(word)) {
+            self.stray = Some(self.stray.take().unwrap_or_else(|| Stray::of(place, word)));
+            return Some((1, !is_several));
+        }
         match argument {
             // A code may be written as several words; behind a complete one there is another argument.
-            Some(argument) if is_several && matches!(argument.kind, ArgumentKind::Code) => {
-                if code.is_empty() && called.is_of_several_codes(rest) {
-                    self.stray = Some(self.stray.take().unwrap_or_else(|| Stray::of(place, word)));
-                    return Some((1, false));
-                }
+            Some(_) if is_several && is_code => {
                 let joined = if code.is_empty() { word.to_owned() } else { format!("{code} {word}") };
                 // A project in the place of a code is refused with the code of its best actuator.
                 let is_complete =

@@ -1,5 +1,6 @@
 //! Names of products that a call may state in place of an ordering code.
 
+use super::folder::axes_of;
 use super::meant::Called;
 use super::readings::readings;
 use crate::call::catalogue_of;
@@ -8,6 +9,7 @@ use clap::Arg;
 use project::{Hint, nearest_name};
 use questions::embedded_catalogue;
 use questions::list::{ArgumentKind, Reads};
+use std::path::Path;
 
 /// Largest number of words of which a name without quotes may consist.
 const WORDS_MOST: usize = 4;
@@ -54,6 +56,12 @@ impl Called<'_> {
             })
         };
         readings(word, language).len() > 1 && !begins_a_code()
+    }
+
+    /// Returns `true` if a word is a project of several axes, of which the call selects none.
+    pub(super) fn is_of_several_axes(&self, word: &str) -> bool {
+        let is_project = self.projects.iter().any(|path| path == Path::new(word));
+        is_project && axes_of(Path::new(word)).len() > 1
     }
 
     /// Returns `true` if a word is the name of a product.

@@ -20,6 +20,9 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use words::{UsageHint, spoken, usage_hint};
 
+/// Largest number of axes of which one is proposed.
+const AXES_MOST: usize = 6;
+
 /// Largest number of projects of a folder that are named in place of a missing one.
 const PROJECTS_MOST: usize = 3;
 
@@ -69,6 +72,10 @@ pub(crate) fn calls(why: &Unanswered, arguments: &[OsString], whole: &Command, l
             call.with(&["--days", "1"])
         }
         Unanswered::Option { name: "key", .. } if !call.states("key") => call.called.calls_of_example_table(),
+        Unanswered::WhichAxis { names, .. } => {
+            let of_axis = |name: &String| call.with(&["--axis", name]);
+            names.iter().take(AXES_MOST).flat_map(of_axis).collect()
+        }
         Unanswered::Message(_) if call.command() == "export" && !call.states("table") => {
             call.with_option_of_example("out")
         }

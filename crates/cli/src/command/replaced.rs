@@ -131,9 +131,9 @@ fn with_changes_of_best(arguments: &mut Vec<OsString>, whole: &Command, language
     if !is_of_code || called.has("set") || called.projects.is_empty() {
         return None;
     }
+    let of_project: &[&str] = if called.has("axis") { &["--set", "--scale"] } else { &["--set", "--scale", "--axis"] };
     let is_change = |word: &OsString| {
-        word.to_str()
-            .is_some_and(|word| ["--set", "--scale"].iter().any(|option| word.split('=').next() == Some(option)))
+        word.to_str().is_some_and(|word| of_project.iter().any(|option| word.split('=').next() == Some(option)))
     };
     let (mut kept, mut taken) = (Vec::new(), Vec::new());
     let mut words = arguments.iter().cloned();
@@ -190,7 +190,9 @@ fn with_best_code(
     let mut remark = terminal::best_of_the_ranking(&code, language);
     if let Some((Statements { sets, scales, .. }, _)) = &stated {
         let made: Vec<String> = sets.iter().chain(scales).cloned().collect();
-        remark = format!("{}\n{remark}", terminal::changed_for_this_call(&made.join("; "), language));
+        if !made.is_empty() {
+            remark = format!("{}\n{remark}", terminal::changed_for_this_call(&made.join("; "), language));
+        }
     }
     let words = std::iter::once(code).chain(kept.into_iter().flatten());
     arguments.splice(place..=place, words.map(OsString::from));

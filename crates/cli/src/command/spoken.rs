@@ -110,6 +110,12 @@ pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
         } else if let Some(language) = word.strip_prefix("--lang=").and_then(language_of) {
             put(&mut arguments, place, &format!("--lang={}", language.id()));
         } else if is_command_due && !word.starts_with('-') {
+            // `why not CODE`, `warum nicht CODE`
+            if command_named(&word) == Some("explain")
+                && text(&arguments, place + 1).is_some_and(|next| ["not", "nicht"].contains(&&*next.to_lowercase()))
+            {
+                let _ = arguments.remove(place + 1);
+            }
             match (command_named(&word), language_of(&word)) {
                 (Some(name), _) => {
                     put(&mut arguments, place, name);
@@ -135,7 +141,9 @@ pub(super) fn helping(word: Option<&OsString>) -> Option<&'static str> {
     let is_check = LIST
         .iter()
         .filter(|entry| entry.command == "explain")
-        .any(|entry| entry.arguments.iter().any(|argument| argument.name == "check" && argument.takes(word)));
+        .any(|entry| entry.arguments.iter().any(|argument| argument.name == "check" && argument.takes(word)))
+        // A symbol alone is explained by the glossary.
+        && words::spoken::choice("check", word).is_none();
     // Without the project that is plainly meant the help names the check.
     if is_check {
         return Some(if projects_in(Path::new("")).len() == 1 { "explain" } else { HELP });

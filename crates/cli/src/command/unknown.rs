@@ -159,6 +159,9 @@ impl Unknown<'_> {
         if name == "best" && self.called.has("top") {
             return Some((vec!["--top".to_owned(), "1".to_owned()], 0));
         }
+        if let Some(language) = spoken::language_of(name) {
+            return Some((vec![format!("--lang={}", language.id())], 0));
+        }
         let (key, value) = spoken::flag(name).filter(|_| self.called.has("set"))?;
         let all = written(&self.called.project_text()?)?;
         let [path] = &keys::named(&all, "", key, value)[..] else { return None };

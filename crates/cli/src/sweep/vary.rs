@@ -28,6 +28,19 @@ pub(super) fn rows(
     language: Language,
 ) -> Result<String, Unanswered> {
     let all = written(text).unwrap_or_default();
+    let is_name = |each: &&Written| each.path.starts_with("axis[") && each.path.ends_with("].name");
+    let names: Vec<&Written> = all.iter().filter(is_name).collect();
+    if axis.is_none() && names.len() > 1 {
+        // Of keys that name their axis only this one is meant.
+        let of_axis = |each: &&Written| {
+            let of_axis = each.path.trim_end_matches("name");
+            stated.iter().all(|stated| stated.starts_with(of_axis))
+        };
+        let named: Vec<&Written> = names.iter().copied().filter(of_axis).collect();
+        let names = if named.is_empty() { names } else { named };
+        let names = names.into_iter().filter_map(|each| each.value.clone()).collect();
+        return Err(Unanswered::which_axis(names, |names| terminal::several_axes(&names, language)));
+    }
     let prefix = prefix(text, axis).unwrap_or_default();
     let (mut columns, mut faults) = (Vec::new(), Vec::new());
     for each in stated {

@@ -7,7 +7,7 @@ use crate::answer::written;
 use crate::codes::may_name_products;
 use crate::progress::Progress;
 use crate::reading::{Unread, read_all_watched};
-use crate::subject::{names, picked};
+use crate::subject::picked;
 use answers::{Answered, Axes, Fit};
 use axis::{AxisProject, Catalogue, Files};
 use project::{Diagnostic, PROJECT_MAX_BYTES};
@@ -170,7 +170,8 @@ impl<'a> Inquiry<'a> {
     /// The sentence about several axes.
     pub fn only(&self, axes: Vec<PlacedAxis>, several: impl FnOnce(&str) -> String) -> Result<PlacedAxis, Unanswered> {
         let one = <[PlacedAxis; 1]>::try_from(axes).map(|[one]| one);
-        one.map_err(|axes| Unanswered::message(several(&names(axes.iter().map(|(_, project)| project)))))
+        let name = |(_, project): &PlacedAxis| project.name.clone();
+        one.map_err(|axes| Unanswered::which_axis(axes.iter().map(name).collect(), several))
     }
 
     /// Refuses a cost beyond the usual time, unless the call states a time limit.

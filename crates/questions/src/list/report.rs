@@ -5,7 +5,7 @@ use super::{
     AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Inquiry, OutputFile, PlacedAxis, Reads, Unanswered, argument,
     media,
 };
-use crate::subject::names;
+
 use crate::upkeep::read_date;
 use chrono::NaiveDate;
 use configurator::ProductId;
@@ -94,8 +94,9 @@ impl Args {
     pub fn axes(&self, inquiry: &Inquiry<'_>) -> Result<Vec<PlacedAxis>, Unanswered> {
         let axes = inquiry.axes(self.axis.as_deref(), Cost::Report)?;
         if axes.len() > 1 && self.code.is_some() {
-            let names = names(axes.iter().map(|(_, project)| project));
-            return Err(Unanswered::message(terminal::code_is_for_one_axis(&names, inquiry.language)));
+            let names = axes.iter().map(|(_, project)| project.name.clone()).collect();
+            let sentence = |names: &str| terminal::code_is_for_one_axis(&names, inquiry.language);
+            return Err(Unanswered::which_axis(names, sentence));
         }
         Ok(axes)
     }

@@ -59,6 +59,13 @@ pub enum Unanswered {
     },
     /// Any other reason in one sentence, and a hint.
     Message(Hinted),
+    /// The question is about one axis, and the project has several.
+    WhichAxis {
+        /// Reason in one sentence.
+        message: String,
+        /// Names of the axes.
+        names: Vec<String>,
+    },
     /// Names and values that the question does not accept.
     Usage(Vec<Fault>),
     /// The project is not judged; with the actuator if it is one of several.
@@ -87,6 +94,12 @@ impl Unanswered {
     #[must_use]
     pub fn message(text: impl Into<String>) -> Self {
         Self::Message((text.into(), None))
+    }
+
+    /// Creates the reason that a question about one axis does not state which; `sentence` names the axes.
+    #[must_use]
+    pub fn which_axis(names: Vec<String>, sentence: impl FnOnce(&str) -> String) -> Self {
+        Self::WhichAxis { message: sentence(&names.join(", ")), names }
     }
 
     /// Combines several reasons; a single one stays unchanged.
@@ -120,6 +133,7 @@ impl Unanswered {
             | Self::File { .. }
             | Self::Option { .. }
             | Self::Message(_)
+            | Self::WhichAxis { .. }
             | Self::Usage(_) => false,
         }
     }
@@ -146,6 +160,7 @@ impl Unanswered {
                 let fault = Fault { message: seen(message).into_owned(), hint: hint.clone(), ..Fault::default() };
                 Faults::from(vec![fault])
             }
+            Self::WhichAxis { message, .. } => fault(message),
             Self::Usage(errors) => Faults::from(errors.clone()),
             Self::Refused(refusal, _) => fault(&refusal_text(refusal, waited_s, language)),
             Self::Together(all) => Faults::combined(all.iter().map(|one| one.faults(waited_s, language))),

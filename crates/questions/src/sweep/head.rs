@@ -9,7 +9,7 @@ use crate::codes::may_name_products;
 use crate::list::Unanswered;
 use crate::reading::{Unread, read_all_with};
 use crate::sizing_use::products_of;
-use crate::subject::{names, picked};
+use crate::subject::picked;
 use axis::{AxisProject, Files};
 use project::{Counted, Fault, Heading, Hint, Objection, TabularFault, Written, written};
 use std::collections::BTreeSet;
@@ -294,16 +294,16 @@ fn of_projects(projects: Vec<AxisProject>, options: &Options) -> (Axis, Option<U
     let language = options.language;
     let is_of_several = projects.iter().any(AxisProject::is_of_several);
     let (place, refused) = match picked(projects, options.axis.as_deref(), language) {
-        Err(why) => (None, Some(why)),
+        Err(why) => (None, Some(Unanswered::message(why))),
         Ok(found) => match found.as_slice() {
             [(place, _)] => (Some(*place), None),
             several => {
-                let names = names(several.iter().map(|(_, project)| project));
-                (None, Some(words::terminal::several_axes(&names, language)))
+                let names = several.iter().map(|(_, project)| project.name.clone()).collect();
+                (None, Some(Unanswered::which_axis(names, |names| words::terminal::several_axes(&names, language))))
             }
         },
     };
-    (Axis { place, is_of_several }, refused.map(Unanswered::message))
+    (Axis { place, is_of_several }, refused)
 }
 
 /// Returns the axis of a text that is no project.

@@ -3,7 +3,7 @@
 /// Values of an option, each with its other words.
 type Values = &'static [(&'static str, &'static [&'static str])];
 
-/// Options with a choice, each with its values and their other words; kinds, drives and checks have titles of their own.
+/// Options with a choice, each with its values and their other words; kinds and drives have titles of their own, and so have checks besides.
 #[rustfmt::skip] // one line per value
 pub const CHOICES: &[(&str, Values)] = &[
     ("reaction", &[
@@ -58,6 +58,25 @@ pub const CHOICES: &[(&str, Values)] = &[
         ("sobol", &["quasi-random", "quasizufällig"]),
         ("lhs", &["latin hypercube", "lateinisches hyperquadrat"]),
         ("grid", &["full factorial", "raster", "gitter"]),
+    ]),
+    // Symbols of the values of the checks, and words that mean one check alone.
+    ("check", &[
+        ("peak_torque", &["t_peak", "t_max", "maximum torque", "spitzenmoment", "maximales drehmoment"]),
+        ("peak_speed", &["n_peak", "n_max", "speed", "maximum speed", "drehzahl", "spitzendrehzahl"]),
+        ("mean_speed", &["n_av", "average speed", "mittlere drehzahl"]),
+        ("continuous_torque", &["t_rms", "rms torque", "effective torque", "effektivmoment", "effektives drehmoment"]),
+        ("peak_current", &["i_peak", "i_max", "current", "maximum current", "strom", "spitzenstrom"]),
+        ("gear_mean_torque", &["t_av", "average torque", "mittleres drehmoment"]),
+        ("torsion", &["twist", "windup", "wind-up", "verdrehung"]),
+        ("natural_frequency", &["frequency", "resonance", "eigenfrequenz", "frequenz", "resonanz"]),
+        ("bearing_axial", &["f_a", "axial force", "axial load", "axialkraft"]),
+        ("bearing_radial", &["f_r", "radial force", "radial load", "radialkraft"]),
+        ("bearing_tilting_moment", &["m_k", "tilting moment", "kippmoment"]),
+        ("bearing_life", &["l_10", "l10", "l_10h", "lagerlebensdauer"]),
+        ("bearing_static", &["f_s", "static safety", "statische sicherheit"]),
+        ("thermal", &["temperature", "heat", "heating", "temperatur", "erwärmung", "wärme"]),
+        ("overload_i2t", &["i2t", "i²t", "overload", "überlast"]),
+        ("regeneration", &["braking energy", "braking resistor", "bremsenergie", "bremswiderstand", "rückspeisung"]),
     ]),
     ("connector", &[
         ("motor", &["power", "leistung"]),
