@@ -20,7 +20,7 @@ const PATIENCE: Duration = Duration::from_secs(30);
 const FIREFOX_LEAST: u32 = 500;
 
 /// Longest time after a step until the focus has a place: a swap and what follows it are two tasks of the page.
-const FOCUS_AFTER: Duration = Duration::from_millis(500);
+const FOCUS_AFTER: Duration = Duration::from_secs(2);
 
 /// Keys by their WebDriver codes.
 pub(crate) mod key {

@@ -100,7 +100,25 @@ pub(crate) fn language_and_dark(stage: &OpenPage<'_>) -> Worded {
     tab.says("#text", "44 kg")?;
     // The theme is kept for the next visit.
     stage.start("en")?;
-    tab.until("document.documentElement.dataset.theme === 'dark'")
+    tab.until("document.documentElement.dataset.theme === 'dark'")?;
+    // The page in another theme or language keeps the results of its examples, in its language.
+    let results = |word: &str| {
+        format!(
+            "[...document.querySelectorAll('.card > span > .small')].length > 8 && \
+             [...document.querySelectorAll('.card > span > .small')].every((each) => each.textContent.includes('{word}'))"
+        )
+    };
+    tab.until(&results("cycle "))?;
+    tab.click("#theme")?;
+    tab.until("document.documentElement.dataset.theme !== 'dark'")?;
+    tab.until(&results("cycle "))?;
+    tab.click("a.button[lang=de]")?;
+    tab.until(&results("Zyklus "))?;
+    // A theme in the address stands before that of the last visit.
+    tab.open(&stage.shell.at("theme=dark&lang=en"))?;
+    stage.listens()?;
+    tab.until("document.documentElement.dataset.theme === 'dark'")?;
+    tab.until(&results("cycle "))
 }
 
 pub(crate) fn compare(stage: &OpenPage<'_>) -> Worded {

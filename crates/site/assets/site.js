@@ -208,7 +208,7 @@
     for (const link of document.querySelectorAll('a[href^="/?"]')) link.href = link.getAttribute('href').slice(1);
   }
   // The example or the file that was opened stays in the address: it can be opened again, unlike an axis that was begun.
-  const begun = () => `?project${['new', 'open'].filter((name) => asked.has(name)).map((name) => `&${name}=${encodeURIComponent(asked.get(name))}`).join('')}`;
+  const begun = () => `?project${['new', 'open', 'theme'].filter((name) => asked.has(name)).map((name) => `&${name}=${encodeURIComponent(asked.get(name))}`).join('')}`;
   async function show({ head, body }) {
     const text = new TextDecoder().decode(body);
     const page = head.media.startsWith('text/html') ? new DOMParser().parseFromString(text, 'text/html') : undefined;
