@@ -14,7 +14,9 @@ use crate::command::typed::{number_and_unit, typed};
 use clap::ArgMatches;
 pub(crate) use factor::factor;
 use factor::{any_factor, undecided_factors};
-use project::{Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, paced, stretch, truth, written};
+use project::{
+    Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, other_names, paced, stretch, truth, written,
+};
 use quantities::{Language, seen};
 use questions::list::Unanswered;
 use relative::{Relative, relative, undecided};
@@ -86,7 +88,7 @@ pub(crate) fn changed(text: &str, stated: &Statements, language: Language) -> Re
     }
     let Some(prefix) = prefix(text, axis.as_ref()) else { return Ok(None) };
     let (mut changed, mut faults) = (Changed { text: text.to_owned(), made: Vec::new() }, Vec::new());
-    let mut keys_set = Vec::new();
+    let (mut keys_set, mut scaled): (Vec<String>, Vec<String>) = (Vec::new(), Vec::new());
     let of = |change: &String| change.split_once('=').map_or_else(String::new, |(key, _)| key.trim().to_owned());
     let further: Vec<String> = sets.iter().map(of).collect();
     // What fills the cycle follows from the moves.
@@ -105,6 +107,17 @@ pub(crate) fn changed(text: &str, stated: &Statements, language: Language) -> Re
         };
         match made {
             Ok((text, made)) => {
+                let touched = paths_changed(&changed.text, &text);
+                if let Some(fault) = of_another_axis(&text, &touched, &prefix, language) {
+                    faults.push(Unanswered::option(option, fault));
+                    continue;
+                }
+                if let Some(path) = touched.iter().find(|path| option == "scale" && scaled.contains(path)) {
+                    let usage = Usage::Twice { name: path.clone() };
+                    faults.push(Unanswered::option(option, (usage_text(&usage, language), None)));
+                    continue;
+                }
+                scaled.extend(touched.into_iter().filter(|_| option == "scale"));
                 if let Some(key) = twice(&mut keys_set, option, change, &made) {
                     let usage = Usage::Twice { name: key };
                     faults.push(Unanswered::option(option, (usage_text(&usage, language), None)));
@@ -116,7 +129,38 @@ pub(crate) fn changed(text: &str, stated: &Statements, language: Language) -> Re
             Err(fault) => faults.push(Unanswered::option(option, fault)),
         }
     }
+    // A value that the template has too is stated nevertheless.
+    let kept = changed.made.iter().flat_map(|made| made.split("; ")).filter_map(kept_value);
+    let kept: Vec<&str> = kept.filter(|path| key_at(path).is_some()).collect();
+    if !kept.is_empty() {
+        changed.text = questions::list::new::stating(&changed.text, &kept, language);
+    }
     if faults.is_empty() { Ok(Some(changed)) } else { Err(Unanswered::combined(faults)) }
+}
+
+/// Returns the path of a change that left the value as it was: `motion[1].distance 90 deg → 90 deg`.
+fn kept_value(made: &str) -> Option<&str> {
+    let (path, values) = made.split_once(' ')?;
+    let (before, after) = values.split_once(" → ")?;
+    (before == after).then_some(path)
+}
+
+/// Returns the paths of the values that differ between two texts of a project.
+fn paths_changed(before: &str, after: &str) -> Vec<String> {
+    let before = written(before).unwrap_or_default();
+    let is_new = |each: &Written| {
+        each.value.is_some() && !before.iter().any(|old| (&old.path, &old.value) == (&each.path, &each.value))
+    };
+    written(after).unwrap_or_default().into_iter().filter(is_new).map(|each| each.path).collect()
+}
+
+/// Returns the refusal of a change of another axis than that of the call, whose answer would not show it.
+fn of_another_axis(text: &str, touched: &[String], prefix: &str, language: Language) -> Option<Fault> {
+    let other = touched.iter().find(|path| path.starts_with("axis[") && !path.starts_with(prefix))?;
+    let all = written(text)?;
+    let name = places::name(&all, other.split_inclusive("].").next()?)?;
+    let own = places::name(&all, prefix)?;
+    Some((terminal::change_of_another_axis(other, &name, &own, language), None))
 }
 
 /// Returns the key or the quantity of a change if an earlier change of the call has it already: of two values one would be lost.
@@ -263,9 +307,16 @@ fn no_key(all: &[Written], (prefix, key): (&str, &str), value: &str, language: L
     let stated: Vec<&str> = all.iter().map(|each| each.path.as_str()).collect();
     let with_unit = with_units(all, (prefix, key), value);
     let option = |(path, value): &(String, String)| typed(["--set", &format!("{path}={value}")]);
-    let hint = match with_unit.is_empty() {
-        false => UsageHint::Calls(with_unit.iter().map(option).collect()),
-        true => UsageHint::Words(keys::nearest(all, key, &stated)),
+    // A key that the project does not state, by another name for it.
+    let plain = key.to_lowercase().replace(['-', ' '], "_");
+    let other = match other_names(&plain) {
+        [name] => places::anywhere(all, prefix, name, value),
+        _ => Vec::new(),
+    };
+    let hint = match (with_unit.is_empty(), &other[..]) {
+        (false, _) => UsageHint::Calls(with_unit.iter().map(option).collect()),
+        (true, [path]) => UsageHint::Calls(vec![typed(["--set", &format!("{path}={}", seen(value))])]),
+        (true, _) => UsageHint::Words(keys::nearest(all, key, &stated)),
     };
     (terminal::set_no_key(&seen(key), language), Some(usage_hint(&hint, language)))
 }
@@ -414,9 +465,7 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
     if let Some((axis, (why, hint))) = fault {
         // A factor of some of the axes alone would look like one of all.
         return Err(match axis {
-            Some(axis) if !scaled.is_empty() => {
-                (terminal::not_scaled(&axis, &why, &scaled.join(", "), language), hint)
-            }
+            Some(axis) if !scaled.is_empty() => (terminal::not_scaled(&axis, &why, &scaled.join(", "), language), hint),
             _ => (why, hint),
         });
     }

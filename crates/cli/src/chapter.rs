@@ -2,9 +2,11 @@
 
 use crate::answer::CommandAnswer;
 use crate::call::{Call, named_file};
+use crate::command::typed::typed;
 use crate::fault::path_text;
 use crate::plot;
 use crate::preview::previewed;
+use crate::source::SourceFile;
 use crate::source::begun::as_single_move;
 use crate::table::{Align, TextTable, labelled};
 use crate::waiting::progress;
@@ -18,7 +20,7 @@ use questions::Candidate;
 use questions::list::bearing::bearing_checks;
 use questions::list::new::Template;
 use questions::list::{Cost, Inquiry, Unanswered, battery, bearing, curve, new};
-use questions::texts::{battery_lines, compared_texts, margin_text, unit_text, verdict_text};
+use questions::texts::{battery_lines, compared_texts, margin_text, unit_text, verdict_of, verdict_text};
 use std::path::Path;
 use words::{curve_title, grade_word, source_text, terminal, terms, title_of_check};
 
@@ -189,6 +191,24 @@ pub(crate) fn made(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<(Template, 
     Ok((template, talk))
 }
 
+/// Returns the result of a new project whose call states values; `None` without one.
+fn first_result(call: &Call<'_>, text: &str, out: &Path) -> Option<String> {
+    let language = call.language;
+    if call.texts("set").is_empty() {
+        return None;
+    }
+    let folder = out.parent().unwrap_or(Path::new(""));
+    let file = SourceFile::of_text(path_text(out), text.as_bytes().to_vec(), folder, call.memory());
+    let projects = file.source().projects(questions::embedded_catalogue(), progress(), language).ok()?;
+    let [project] = &projects[..] else { return None };
+    let sizing = questions::size(project);
+    let call = typed(["antrieb", "size", &path_text(out)]);
+    Some(match sizing.answer() {
+        Some(best) => terminal::result_of_new(&best.id, &verdict_of(best, language), &call, language),
+        None => terminal::no_result_of_new(&call, language),
+    })
+}
+
 /// `antrieb new KIND`
 pub(crate) fn template(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
@@ -213,6 +233,9 @@ pub(crate) fn template(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Command
     files.extend(beside.iter().map(|(path, text)| (path.as_path(), text.as_bytes())));
     call.saver().save(&files)?;
     let paths: Vec<String> = files.iter().map(|(path, _)| path_text(path)).collect();
+    if let Some(result) = first_result(call, &template.text, out) {
+        talk += &format!("{result}\n");
+    }
     if call.as_json {
         return Ok(CommandAnswer { talk, ..CommandAnswer::record(&FilesWritten { files: paths }) });
     }

@@ -97,7 +97,8 @@ impl SourceFile {
     pub(crate) fn unstated(&self) -> Option<Vec<String>> {
         let template = written(self.template.as_deref()?)?;
         let own = std::str::from_utf8(&self.bytes).ok().and_then(written)?;
-        let is_value = |path: &str| key_at(path).is_some_and(|key| is_measured(key.kind));
+        let stated = std::str::from_utf8(&self.bytes).map(questions::list::new::stated).unwrap_or_default();
+        let is_value = |path: &str| key_at(path).is_some_and(|key| is_measured(key.kind)) && !stated.contains(&path);
         let of = |each: &Written| {
             let value = each.value.as_deref().filter(|_| is_value(&each.path))?;
             let is_kept = own.iter().any(|now| now.path == each.path && now.value.as_deref() == Some(value));

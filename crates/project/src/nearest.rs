@@ -6,7 +6,7 @@ use crate::read::{WORD_SHOWN, shortened};
 use quantities::Dimension;
 
 /// Other names of keys: those of other programs, and German ones, each with the keys that it may name, the usual one first.
-const OTHER_NAMES: [(&str, &[&str]); 89] = [
+const OTHER_NAMES: [(&str, &[&str]); 94] = [
     ("angle", &["distance"]),
     ("stroke", &["distance"]),
     ("travel", &["distance"]),
@@ -69,6 +69,11 @@ const OTHER_NAMES: [(&str, &[&str]); 89] = [
     ("dichte", &["density"]),
     ("untersetzung", &["ratio"]),
     ("getriebe", &["ratio"]),
+    ("zwischengetriebe", &["ratio"]),
+    ("zwischenstufe", &["ratio"]),
+    ("gear", &["ratio"]),
+    ("gearbox", &["ratio"]),
+    ("intermediate_gear", &["ratio"]),
     ("gear_ratio", &["ratio"]),
     ("seilmasse", &["rope_mass"]),
     ("rope", &["rope_mass"]),

@@ -144,10 +144,33 @@ pub(crate) fn unstated_figures(text: &str) -> Vec<TemplateFigure> {
     let of_head = |head| FIGURES.iter().find(|(known, _)| known == head);
     let Some((_, figures)) = heads.find_map(of_head) else { return Vec::new() };
     let all = written(text).unwrap_or_default();
+    let stated = stated(text);
     let is_kept = |(path, value): &&(String, String)| {
-        all.iter().any(|each| each.path == *path && each.value.as_ref() == Some(value))
+        all.iter().any(|each| each.path == *path && each.value.as_ref() == Some(value)) && !stated.contains(&&**path)
     };
     figures.iter().filter(is_kept).map(|(path, value)| TemplateFigure { path, value }).collect()
+}
+
+/// Returns the paths that a project lists as stated though their values are those of its template.
+#[must_use]
+pub fn stated(text: &str) -> Vec<&str> {
+    text.lines().filter_map(words::paths_stated_of_template).flatten().collect()
+}
+
+/// Returns a project that lists figures of its template as stated. The list stands behind everything else, so that no line moves; a
+/// text that is begun with no template stays as it is.
+#[must_use]
+pub fn stating(text: &str, paths: &[&str], language: Language) -> String {
+    let figures = unstated_figures(text);
+    let new: Vec<&str> =
+        paths.iter().copied().filter(|path| figures.iter().any(|figure| figure.path == *path)).collect();
+    if new.is_empty() {
+        return text.to_owned();
+    }
+    let rest = text.lines().filter(|line| words::paths_stated_of_template(line).is_none());
+    let listed = stated(text).into_iter().chain(new).collect::<Vec<&str>>();
+    let line = words::stated_of_template(&listed, language);
+    rest.chain([&*line]).map(|line| format!("{line}\n")).collect()
 }
 
 fn recording_in(text: &str, language: Language) -> String {

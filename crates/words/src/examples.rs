@@ -21,9 +21,26 @@ pub fn how_to_run(file: &str, language: Language) -> String {
 #[must_use]
 pub fn figures_of_a_template(language: Language) -> String {
     said!(language =>
-        "Figures that are not changed are listed as assumed; deleting the line above the call confirms them."
-        | "Nicht geänderte Zahlenwerte gelten als angenommen; wer die Zeile über dem Aufruf löscht, bestätigt sie."
+        "Figures that are not changed are listed as assumed; deleting the first line confirms them."
+        | "Nicht geänderte Zahlenwerte gelten als angenommen; wer die erste Zeile löscht, bestätigt sie."
     )
+}
+
+/// Beginnings of the line of a project file that lists the figures of its template which are stated.
+const STATED: [&str; 2] = ["# Stated as in the template: ", "# Angegeben wie in der Vorlage: "];
+
+/// Returns the line of a project file that lists figures of its template which are stated.
+#[must_use]
+pub fn stated_of_template(paths: &[&str], language: Language) -> String {
+    let [en, de] = STATED;
+    let begin = said!(language => "{en}" | "{de}");
+    format!("{begin}{}", paths.join(", "))
+}
+
+/// Returns the paths that a line of a project file lists as [`stated_of_template`] does; `None` for another line.
+pub fn paths_stated_of_template(line: &str) -> Option<impl Iterator<Item = &str>> {
+    let listed = STATED.iter().find_map(|begin| line.strip_prefix(begin))?;
+    Some(listed.split(',').map(str::trim))
 }
 
 /// Every comment and name of the examples, English and German.

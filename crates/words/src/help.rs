@@ -26,8 +26,8 @@ texts! {
         "Catalogue file in TOML or CSV, whose products are evaluated together with the built-in series"
         | "Katalogdatei in TOML oder CSV, deren Produkte zusammen mit der mitgelieferten Baureihe bewertet werden";
     scale =
-        "Factor for this call: load=1.15 (the moved mass, inertia or material, not counterweight and mechanism), payload=2, time=0.8 or distance=2"
-        | "Faktor für diesen Aufruf: load=1,15 (bewegte Masse, Trägheit oder Material, ohne Gegengewicht und Mechanik), payload=2, time=0,8 oder distance=2";
+        "Factor for this call: load=1.15 (the moved mass, inertia or material, not counterweight and mechanism), payload=2, time=0.8, distance=2, or a key of the project"
+        | "Faktor für diesen Aufruf: load=1,15 (bewegte Masse, Trägheit oder Material, ohne Gegengewicht und Mechanik), payload=2, time=0,8, distance=2, oder ein Schlüssel des Projekts";
     deadline =
         "Time limit, such as \"30 s\"; when it is exceeded, the command stops without an answer"
         | "Zeitgrenze der Berechnung, etwa \"30 s\"; danach Abbruch ohne Ergebnis";

@@ -82,7 +82,9 @@ pub use commissioned::{
 };
 pub use derivation::{found_condition, found_text, symbol_shown};
 pub use errata::{ERRATUM_MARK, erratum_kind, erratum_line, erratum_place, erratum_place_of, erratum_status, marked};
-pub use examples::{EXAMPLE_TEXTS, example_text, figures_of_a_template, how_to_run};
+pub use examples::{
+    EXAMPLE_TEXTS, example_text, figures_of_a_template, how_to_run, paths_stated_of_template, stated_of_template,
+};
 pub use facts::{fact_source, fact_text, signal_word, step_title};
 pub use faults::{FaultWords, Worded, fault_text, hint_text, own_hint, worded};
 pub use file_trouble::file_trouble;

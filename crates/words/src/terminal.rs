@@ -173,6 +173,9 @@ texts! {
     values_set(values) = "set: {values}" | "gesetzt: {values}";
     call_understood(call) = "understood as: {call}" | "verstanden als: {call}";
     not_scaled(axis, why, others) = "axis {axis}: {why}; select another axis with --axis: {others}" | "Achse {axis}: {why}; eine andere Achse mit --axis wählen: {others}";
+    change_of_another_axis(path, axis, own) = "{path} is a value of the axis {axis}; the call is about {own} (--axis {axis})" | "{path} ist ein Wert der Achse {axis}; der Aufruf gilt für {own} (--axis {axis})";
+    result_of_new(code, verdict, call) = "{code}: {verdict} ({call})" | "{code}: {verdict} ({call})";
+    no_result_of_new(call) = "no actuator fits ({call})" | "kein Antrieb geeignet ({call})";
     changed_for_this_call(change) = "for this call: {change}" | "für diesen Aufruf: {change}";
     values_of_a_new_project(values) =
         "not stated in the call, values of a new project: {values}"
@@ -239,6 +242,9 @@ texts! {
     only_project(name) =
         "no project is stated: the only one of this folder, {name}"
         | "kein Projekt angegeben: das einzige dieses Ordners, {name}";
+    only_of_pattern(part, code) =
+        "{part} stands for one actuator of the ranking, {code}"
+        | "{part} steht für einen Antrieb der Rangfolge, {code}";
     best_of_pattern(part, count, code) =
         "{part} stands for {count} actuators of the ranking: the best of them, {code}"
         | "{part} steht für {count} Antriebe der Rangfolge: der beste davon, {code}";

@@ -96,6 +96,10 @@ fn collect(all: &[Written], (keys, above): (&'static [Key], &str), prefix: &str,
         if is_of_one_kind && is_table(key.kind) && is_near && !is_written(&path) {
             continue;
         }
+        // The end of a path is no reason to describe an actuator of one's own.
+        if inside == "actuator" && !is_written(&path) {
+            continue;
+        }
         match key.kind {
             Kind::Table(below) => collect(all, (below, &format!("{path}.")), prefix, found),
             Kind::OneOrMany(one, _) if entries(all, &path).is_none() => {

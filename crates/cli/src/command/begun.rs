@@ -42,6 +42,15 @@ pub(crate) fn with_command(mut arguments: Vec<OsString>, language: Language) -> 
         arguments.splice(place.., words.into_iter().map(OsString::from));
         return (arguments, true);
     }
+    if command_named(first).is_none()
+        && let Some((scenario, count)) = scenario(&words)
+    {
+        let option = format!("--scenario={scenario}");
+        let behind: Vec<String> = words.iter().skip(count).map(|word| (*word).to_owned()).collect();
+        let whole = std::iter::once("simulate".to_owned()).chain(behind).chain([option]);
+        arguments.splice(place.., whole.map(OsString::from));
+        return (arguments, true);
+    }
     let (at, added) = match command_named(first) {
         Some(command) if let Some(other) = other_command(command, behind, language) => {
             if let Some(word) = arguments.get_mut(place) {
@@ -144,6 +153,15 @@ fn of_first(words: &[&str], language: Language) -> Option<&'static str> {
         return Some("data");
     }
     kind(words).map(|_| "new")
+}
+
+/// Returns the scenario of a simulation with which some words begin, and the number of the words: `power failure axis.toml`.
+fn scenario(words: &[&str]) -> Option<(&'static str, usize)> {
+    /// Largest number of words of a scenario.
+    const WORDS_MOST: usize = 3;
+    let scenario = questions::list::simulate::Args::ARGUMENTS.iter().find(|argument| argument.name == "scenario")?;
+    let of = |count: usize| Some((scenario.word(&words.get(..count)?.join("_"))?, count));
+    (1..=words.len().min(WORDS_MOST)).rev().find_map(of)
 }
 
 /// Returns the subcommand of `code` for a code, a pattern of codes or the beginning of one.

@@ -6,7 +6,7 @@ use super::best::{BestOfPattern, ProjectOfCall, best_of_pattern};
 use super::example::code_of_recorded;
 use super::folder::{has_ending, projects_in, text_of};
 use super::meant::{Called, Part};
-use super::own::VARY;
+use super::own::{VARY, is_of_several};
 use super::readings::has_battery;
 use super::spoken::seems_code;
 use super::typed::typed;
@@ -38,7 +38,7 @@ const DAY_S: f64 = 86_400.0;
 /// Returns a call with what it plainly lacks, and a remark on each word that was added.
 pub(super) fn completed(arguments: Vec<OsString>, whole: &Command, language: Language) -> (Vec<OsString>, Vec<String>) {
     let (mut arguments, mut remarks) = (arguments, Vec::new());
-    for step in [with_own_values, with_whole_code, with_one_option] {
+    for step in [with_ranges, with_own_values, with_whole_code, with_one_option] {
         let found = Called::of(&arguments, whole, language).and_then(|called| step(&called, &arguments));
         if let Some((changed, remark)) = found {
             arguments = changed;
@@ -49,6 +49,29 @@ pub(super) fn completed(arguments: Vec<OsString>, whole: &Command, language: Lan
 }
 
 type Completed = (Vec<OsString>, Option<String>);
+
+/// Returns a sweep with each range behind `--set` as one that is varied: `--set ambient=0..40degC`.
+fn with_ranges(called: &Called<'_>, arguments: &[OsString]) -> Option<Completed> {
+    let texts = texts(arguments).filter(|_| called.has(VARY))?;
+    let is_range = |change: &str| change.split_once('=').is_some_and(|(_, values)| is_of_several(values));
+    let mut is_changed = false;
+    let words: Vec<OsString> = texts
+        .iter()
+        .enumerate()
+        .map(|(place, word)| {
+            let own = match word.strip_prefix("--set=") {
+                Some(change) if is_range(change) => Some(format!("--{VARY}={change}")),
+                None if *word == "--set" && texts.get(place + 1).is_some_and(|next| is_range(next)) => {
+                    Some(format!("--{VARY}"))
+                }
+                _ => None,
+            };
+            is_changed |= own.is_some();
+            own.map_or_else(|| OsString::from(word), OsString::from)
+        })
+        .collect();
+    is_changed.then_some((words, None))
+}
 
 /// Returns the words of a call as texts.
 fn texts(arguments: &[OsString]) -> Option<Vec<&str>> {
@@ -148,8 +171,12 @@ fn with_whole_code(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
     let count = fitting.len() + failing.len();
     let words = texts.iter().map(|word| if *word == part { code.as_str() } else { word });
     let words = words.map(|word| word.replace(&format!("--code={part}"), &format!("--code={code}")));
-    let remark = if fitting.is_empty() { terminal::nearest_of_pattern } else { terminal::best_of_pattern };
-    let mut remark = remark(&quantities::seen(part), &count, &code, language);
+    let part = quantities::seen(part);
+    let mut remark = match (count, fitting.is_empty()) {
+        (1, _) => terminal::only_of_pattern(&part, &code, language),
+        (_, true) => terminal::nearest_of_pattern(&part, &count, &code, language),
+        (_, false) => terminal::best_of_pattern(&part, &count, &code, language),
+    };
     // The verdict is not that of every reading.
     if !fitting.is_empty() && !failing.is_empty() {
         let readings =
@@ -222,7 +249,9 @@ fn with_one_option(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
             with(&["--figure", "torque_speed"], terminal::option_assumed(&"--figure torque_speed", language))
         }
         // The project before and after the changes of the call.
-        "diff" if called.projects.len() == 1 && bare.iter().filter(|word| has_ending(word, &[".toml"])).count() == 1 => {
+        "diff"
+            if called.projects.len() == 1 && bare.iter().filter(|word| has_ending(word, &[".toml"])).count() == 1 =>
+        {
             let is_changed = is_given(&["set", "scale"]) || takes("--set") || takes("--scale");
             let project = called.projects.first().filter(|_| is_changed)?;
             let place = arguments.iter().position(|word| project.as_os_str() == word)?;

@@ -91,7 +91,7 @@ fn of_a_sweep(matches: &ArgMatches, is_given: &dyn Fn(&str) -> bool, language: L
     let varied = matches.try_get_many::<String>(super::own::VARY).ok().flatten().into_iter().flatten();
     let is_range = |values: &String| {
         let (_, values) = values.split_once('=').unwrap_or_default();
-        super::own::is_of_several(values) && !values.contains([',', ';'])
+        super::own::is_of_several(values) && (values.contains("..") || !values.contains([',', ';']))
     };
     if is_given("steps") && is_given(super::own::VARY) && !varied.into_iter().any(is_range) {
         all.push(Unanswered::option("steps", (terminal::no_steps_without_a_range(language).to_owned(), None)));

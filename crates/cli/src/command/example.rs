@@ -263,6 +263,10 @@ impl Stray {
         if calls.is_empty() {
             let own = called.other_command(&self.word);
             let behind = (self.place, self.place + 1);
+            // The pins of an actuator are the same for every drive.
+            let is_about_pins = called.entry.is_some_and(|entry| entry.command == "wiring");
+            calls.extend(filled(&without(&[]), called).filter(|_| is_about_pins));
+            calls.extend(called.swept(arguments));
             calls.extend(own.or_else(|| called.with_command_of_value(&self.word, behind, arguments)));
         }
         if calls.is_empty() && called.projects.len() > 1 && called.is_project_of_call(&self.word) {
@@ -278,7 +282,8 @@ impl Stray {
             let left = without(&[]);
             // The value of an example in place of a typed number would answer another question.
             let is_filled = |call: &String| split(call).len() > left.len();
-            calls.extend(filled(&left, called).filter(|call| !(is_number_like(&self.word) && is_filled(call))));
+            let is_other = |call: &String| is_statement(&self.word) && (is_filled(call) || !called.projects.is_empty());
+            calls.extend(filled(&left, called).filter(|call| !is_other(call)));
         }
         calls.dedup();
         let hint = if calls.is_empty() { UsageHint::Help } else { UsageHint::Calls(calls) };
@@ -289,6 +294,11 @@ impl Stray {
 /// Returns `true` if a word begins like a number.
 fn is_number_like(word: &str) -> bool {
     word.trim_start_matches(['-', '+']).starts_with(|sign: char| sign.is_ascii_digit())
+}
+
+/// Returns `true` if a word states something that a call without it would not answer: a number, a code.
+fn is_statement(word: &str) -> bool {
+    word.contains(|sign: char| sign.is_ascii_digit())
 }
 
 impl Stray {

@@ -11,7 +11,7 @@ use super::typed::{number_and_unit, typed};
 use super::unknown;
 use crate::changed::{accepted, factor, keys, with_units};
 use clap::{Arg, Command};
-use project::{Hint, Written, nearest_name, written};
+use project::{Hint, Written, example, key_at, nearest_name, other_names, written};
 use quantities::{Dimension, parse};
 use questions::list::new::template_kinds;
 use questions::list::report::TITLE_PAGE;
@@ -38,22 +38,24 @@ struct ExampleRange {
 /// Returns a range about the first time, else the first quantity, of the motion of a project.
 fn example_range(all: &[Written]) -> ExampleRange {
     let is_of_motion = |each: &&Written| each.path.contains("motion[");
-    let range = |each: &Written| {
-        let (number, unit) = number_and_unit(each.value.as_deref()?);
-        let number: f64 = number.parse().ok().filter(|number| *number > 0.0 && !unit.is_empty())?;
-        let [low, high] = [RANGE_LOW, RANGE_HIGH].map(|share| {
-            let text = format!("{:.4}", share * number);
-            text.trim_end_matches('0').trim_end_matches('.').to_owned()
-        });
-        Some(ExampleRange { path: each.path.clone(), unit: unit.to_owned(), low, high })
-    };
     let own = || all.iter().filter(is_of_motion);
-    let of_time = own().filter(|each| each.path.ends_with(".time")).find_map(range);
+    let of_time = own().filter(|each| each.path.ends_with(".time")).find_map(range_of);
     let usual = ("motion[1].time", "s", "1", "3");
-    of_time.or_else(|| own().find_map(range)).unwrap_or_else(|| {
+    of_time.or_else(|| own().find_map(range_of)).unwrap_or_else(|| {
         let (path, unit, low, high) = usual;
         ExampleRange { path: path.into(), unit: unit.into(), low: low.into(), high: high.into() }
     })
+}
+
+/// Returns a range about a stated quantity; `None` for another value, and for one that is not positive.
+fn range_of(each: &Written) -> Option<ExampleRange> {
+    let (number, unit) = number_and_unit(each.value.as_deref()?);
+    let number: f64 = number.parse().ok().filter(|number| *number > 0.0 && !unit.is_empty())?;
+    let [low, high] = [RANGE_LOW, RANGE_HIGH].map(|share| {
+        let text = format!("{:.4}", share * number);
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    });
+    Some(ExampleRange { path: each.path.clone(), unit: unit.to_owned(), low, high })
 }
 
 /// Shares of a stated value between which an example varies it.
@@ -420,6 +422,39 @@ impl Called<'_> {
         let more = [format!("--{VARY}"), format!("{path}={low}..{high} {unit}")];
         let whole: Vec<OsString> = arguments.iter().cloned().chain(more.map(OsString::from)).collect();
         filled(&whole, self)
+    }
+
+    /// Returns the sweep over a range of each key of the project that a word of the call names alone: `map arm.toml payload time`.
+    pub(super) fn swept(&self, arguments: &[OsString]) -> Option<String> {
+        let all = self.project_text().filter(|_| self.has(VARY)).and_then(|text| written(&text))?;
+        let range = |word: &str| {
+            let names: Vec<&str> = std::iter::once(word).chain(other_names(word).iter().copied()).collect();
+            let is_it = |each: &&Written| {
+                names.contains(&each.path.rsplit('.').next().unwrap_or_default()) && range_of(each).is_some()
+            };
+            if let Some(ExampleRange { unit, low, high, .. }) = all.iter().find(is_it).and_then(range_of) {
+                return Some(format!("{word}={low}..{high} {unit}"));
+            }
+            // What the project does not state ranges from nothing to the value of the example.
+            let of_motion = |name: &&str| example(key_at(&format!("motion[1].{name}"))?);
+            let line = names.iter().find_map(of_motion)?;
+            let (number, unit) = number_and_unit(line.split_once(" = ")?.1.trim_matches('"'));
+            let number = number.parse::<f64>().ok().filter(|number| *number > 0.0 && !unit.is_empty())?;
+            Some(format!("{word}=0..{number} {unit}"))
+        };
+        let mut is_changed = false;
+        let words = arguments.iter().enumerate().flat_map(|(place, word)| {
+            let text = word.to_str().unwrap_or_default().to_lowercase();
+            match range(&text).filter(|_| place >= self.begin && !self.is_project_of_call(&text)) {
+                Some(range) => {
+                    is_changed = true;
+                    vec![OsString::from(format!("--{VARY}")), range.into()]
+                }
+                None => vec![word.clone()],
+            }
+        });
+        let words: Vec<OsString> = words.collect();
+        filled(&words, self).filter(|_| is_changed)
     }
 
     /// Returns the calls that write a table with a range of one key of the project and evaluate it.

@@ -20,6 +20,10 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use words::{UsageHint, spoken, usage_hint};
 
+/// Key of the kind of a stage, and the kind that a ratio alone means.
+const STAGE_KIND: &str = "stage.kind";
+const GEAR: &str = "gear";
+
 /// Largest number of axes of which one is proposed.
 const AXES_MOST: usize = 6;
 
@@ -30,7 +34,11 @@ const PROJECTS_MOST: usize = 3;
 pub(crate) fn calls(why: &Unanswered, arguments: &[OsString], whole: &Command, language: Language) -> Vec<String> {
     let Some(called) = Called::of(arguments, whole, language) else { return Vec::new() };
     let call = Call { called, arguments };
-    if let Some(swept) = call.with_several_values() {
+    // A number that may be read in two ways has its own proposals.
+    let begin = usage_hint(&UsageHint::Calls(vec![String::new()]), language);
+    let is_answered =
+        matches!(why, Unanswered::Option { name: "set", fault: (_, Some(hint)) } if hint.starts_with(&begin));
+    if let Some(swept) = call.with_several_values().filter(|_| !is_answered) {
         return vec![swept];
     }
     match why {
@@ -38,7 +46,8 @@ pub(crate) fn calls(why: &Unanswered, arguments: &[OsString], whole: &Command, l
         Unanswered::Text { faults, .. }
             if faults.len() == 1 && faults.iter().any(|fault| fault.id.ends_with("_not_closed")) =>
         {
-            call.with(&["--set", "axis.single_move=true"])
+            let both = call.with_both_ways();
+            both.into_iter().chain(call.with(&["--set", "axis.single_move=true"])).collect()
         }
         Unanswered::Text { faults, text, .. } if faults.iter().any(|fault| fault.id == NO_EFFECT) => {
             call.with_load_for_payload(text)
@@ -73,8 +82,7 @@ pub(crate) fn calls(why: &Unanswered, arguments: &[OsString], whole: &Command, l
         }
         Unanswered::Option { name: "key", .. } if !call.states("key") => call.called.calls_of_example_table(),
         Unanswered::WhichAxis { names, .. } => {
-            let of_axis = |name: &String| call.with(&["--axis", name]);
-            names.iter().take(AXES_MOST).flat_map(of_axis).collect()
+            names.iter().take(AXES_MOST).flat_map(|name| call.of_axis(name)).collect()
         }
         Unanswered::Message(_) if call.command() == "export" && !call.states("table") => {
             call.with_option_of_example("out")
@@ -285,6 +293,26 @@ impl Call<'_> {
         }
     }
 
+    /// Returns the call with the travel of the way back changed too, where it states that of one move: `distance` is that of both.
+    fn with_both_ways(&self) -> Option<String> {
+        let words: Vec<&str> = self.arguments.iter().map(|word| word.to_str()).collect::<Option<_>>()?;
+        let (place, value) = words.iter().enumerate().find_map(|(place, word)| {
+            let (key, value) = word.trim_start_matches("--set=").split_once('=')?;
+            (key.starts_with("motion[") || key.contains("].motion[")).then_some(())?;
+            key.ends_with("].distance").then_some((place, value))
+        })?;
+        let mut arguments = self.arguments.to_vec();
+        let whole = format!("distance={value}");
+        let is_joined = words.get(place)?.starts_with("--set=");
+        *arguments.get_mut(place)? = if is_joined { format!("--set={whole}") } else { whole }.into();
+        let axes = axes_of(self.called.projects.first()?);
+        if axes.len() > 1 && !self.states("axis") {
+            let stated = words.get(place)?.split_once("axis[")?.1.split_once(']')?.0.parse::<usize>().ok()?;
+            arguments.extend(["--axis", axes.get(stated.checked_sub(1)?)?].map(OsString::from));
+        }
+        filled(&arguments, &self.called)
+    }
+
     /// Returns the call with a payload added to the mass of a load that has none apart.
     fn with_load_for_payload(&self, text: &str) -> Vec<String> {
         let call = || {
@@ -325,6 +353,10 @@ impl Call<'_> {
     fn with_missing_choices(&self, messages: &[&str]) -> Vec<String> {
         let choice = |message: &&str| {
             let path = message.split('`').nth(1)?;
+            // A ratio alone is that of a gear.
+            if path.ends_with(STAGE_KIND) {
+                return Some(format!("{path}={GEAR}"));
+            }
             let key = key_at(path).filter(|key| matches!(key.kind, Kind::OneOf(_) | Kind::Number(..)))?;
             let line = example(key)?;
             Some(format!("{path}={}", line.split_once(" = ")?.1.trim_matches('"')))
@@ -360,6 +392,21 @@ impl Call<'_> {
         let more = words.iter().map(OsString::from);
         let arguments: Vec<OsString> = self.arguments.iter().cloned().chain(more).collect();
         filled(&arguments, &self.called).into_iter().collect()
+    }
+
+    /// Returns the call about one axis, with its name in that of the file to be written.
+    fn of_axis(&self, name: &str) -> Vec<String> {
+        let is_plain = name.chars().all(|sign| sign.is_alphanumeric() || "-_".contains(sign));
+        let mut words = self.arguments.to_vec();
+        let out = words.iter().position(|word| word == "--out").map(|place| place + 1);
+        if let Some(word) = out.and_then(|place| words.get_mut(place)).filter(|_| is_plain) {
+            let path = Path::new(word.as_os_str());
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            let ending = path.extension().map(|ending| format!(".{}", ending.to_string_lossy())).unwrap_or_default();
+            *word = path.with_file_name(format!("{stem}-{name}{ending}")).into_os_string();
+        }
+        words.extend(["--axis", name].map(OsString::from));
+        filled(&words, &self.called).into_iter().collect()
     }
 
     /// Returns `true` if an option has no effect in the call, which lacks the options that it needs.

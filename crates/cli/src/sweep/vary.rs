@@ -234,7 +234,9 @@ fn listed(key: &str, text: &str, language: Language) -> Result<Vec<String>, Faul
     let is_list = with_unit.iter().filter(|has_unit| **has_unit).count() > 1;
     let has_point = pieces.iter().any(|piece| piece.contains('.'));
     let numbers: Vec<&str> = pieces.iter().map(|piece| number_and_unit(piece.trim()).0).collect();
-    let is_pair = || pieces.len() == 2 && !numbers.iter().skip(1).any(|number| number.ends_with('0'));
+    // `0,500` has three decimals or separates thousands, `0,90` are two values.
+    let is_longer = || matches!(numbers[..], [one, other] if other.len() > 2 && other.len() > one.len());
+    let is_pair = || pieces.len() == 2 && (is_longer() || !numbers.iter().skip(1).any(|number| number.ends_with('0')));
     let value = |number: &&str| number.parse::<f64>().unwrap_or(f64::NAN);
     let rises = || numbers.windows(2).all(|pair| pair.first().map(value) < pair.get(1).map(value));
     if is_even && !is_list && !has_point && (has_decimal_commas(language) || is_pair() || !rises()) {

@@ -11,7 +11,7 @@ use crate::progress::Progress;
 pub use crate::recorded_template::{begins_with_motion, recorded};
 use crate::sizing_use::Refusal;
 pub use crate::sweep::sample::{Method, SAMPLES_MOST, table};
-pub use crate::templates::{Template, example, plain_text, template, template_kinds};
+pub use crate::templates::{Template, example, plain_text, stated, stating, template, template_kinds};
 use axis::{Files, Grant};
 use quantities::Language;
 use std::borrow::Cow;
