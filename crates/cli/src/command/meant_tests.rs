@@ -186,7 +186,7 @@ fn words_without_an_option_are_taken_by_their_form() {
 fn a_refusal_is_said_in_both_languages() {
     let whole = build(Language::En);
     for (call, parts) in [
-        ("antrieb battery CHA-25A-50-H-C1024", ["antrieb data CHA-25A-50-H-C1024", "antrieb code list"]),
+        ("antrieb battery CHA-25A-50-H-C1024", ["antrieb code parse CHA-25A-50-H-C1024", "antrieb code list"]),
         ("antrieb explain a.toml termal", ["termal", "antrieb explain a.toml --check thermal"]),
         ("antrieb check a.toml --code X CHA-25A-50-H-C1024", ["--code", "antrieb check a.toml --code X"]),
     ] {

@@ -151,3 +151,127 @@ fn a_project_with_changes_is_compared_with_itself() {
     // Without a change there is nothing to compare with.
     assert_eq!(call(here, "antrieb diff arm.toml").code, 2);
 }
+
+#[test]
+fn a_change_of_another_axis_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    std::fs::write(here.join("two.toml"), TWO_AXES).unwrap();
+    let all = project::written(TWO_AXES).unwrap();
+    let mut tried = 0;
+    for (own, other, prefix) in [("swivel", "lift", "axis[2]."), ("lift", "swivel", "axis[1].")] {
+        for key in all.iter().filter(|key| key.path.starts_with(prefix)) {
+            let Some(value) = key.value.as_deref().filter(|value| value.contains(' ') && !value.contains("box")) else {
+                continue;
+            };
+            // Twice the value, so that there is a change.
+            let refused = call(here, &format!("antrieb size two.toml --axis {own} --scale {}=2", key.path));
+            assert!(refused.code == 2 && refused.err.contains(other), "{} {value}\n{}", key.path, refused.err);
+            let plain = call(here, &format!("antrieb size two.toml --axis {other} --scale {}=1.01 --json", key.path));
+            assert!(plain.code < 2 || plain.err.contains("cycle"), "{}\n{}", key.path, plain.err);
+            tried += 1;
+        }
+    }
+    assert!(tried > 12, "{tried}");
+}
+
+#[test]
+fn what_one_factor_has_multiplied_another_one_does_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    assert_eq!(call(here, "antrieb new hoist --out axis.toml").code, 0);
+    let refused = call(here, "antrieb size axis.toml --scale load=1.15 --scale mechanism.hoist.mass=1.15");
+    assert!(refused.code == 2 && refused.err.contains("mechanism.hoist.mass"), "{}", refused.err);
+    // A factor of a value that the call states is one of that value.
+    let both = call(here, "antrieb size axis.toml --set mass=50kg --scale load=1.2 --json");
+    let plain = call(here, "antrieb size axis.toml --set mass=60kg --json");
+    assert!(both.code < 2 && both.out == plain.out, "{}{}", both.err, plain.err);
+}
+
+#[test]
+fn a_comma_with_three_digits_is_asked() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    assert_eq!(call(here, "antrieb new hoist --out axis.toml").code, 0);
+    for written in ["0,500", "1,500", "12,125", "1,5", "0,05"] {
+        let refused = call(here, &format!("antrieb sweep axis.toml --vary mass={written}kg"));
+        let calls = named(&refused.err);
+        assert!(refused.code == 2 && calls.len() == 2, "{written}\n{}", refused.err);
+    }
+    for written in ["10,20", "100,200", "0,90", "10,20,30"] {
+        let swept = call(here, &format!("antrieb sweep axis.toml --vary mass={written}kg"));
+        assert!(swept.code < 2 || !swept.err.contains("decimal"), "{written}\n{}", swept.err);
+    }
+}
+
+#[test]
+fn a_word_for_what_is_meant_leads_to_an_answer() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    assert_eq!(call(here, "antrieb new arm --out arm.toml").code, 0);
+    // Understood as they are.
+    for words in [
+        "explain arm.toml T_rms",
+        "explain arm.toml temperature",
+        "why not CHA-14A-50-N-D2048-B arm.toml",
+        "power failure arm.toml",
+        "stromausfall arm.toml",
+        "sweep arm.toml --set ambient=20..30degC --steps 2",
+        "diff arm.toml mass=60kg",
+    ] {
+        let answered = call(here, &format!("antrieb {words}"));
+        assert!(answered.code < 2, "{words}\n{}", answered.err);
+    }
+    // Refused with a call that works.
+    for words in ["size arm.toml --set gear=2", "size arm.toml --set ratio=2", "map arm.toml payload time"] {
+        let refused = call(here, &format!("antrieb {words}"));
+        let calls = named(&refused.err);
+        assert!(refused.code == 2 && !calls.is_empty(), "{words}\n{}", refused.err);
+        assert!(calls.iter().all(|meant| call(here, meant).code < 2), "{words}\n{}", refused.err);
+    }
+    let pins = call(here, "antrieb wiring CHA-25A-100-H-C1024 sinamics");
+    let calls = named(&pins.err);
+    let of_both = ["antrieb wiring", "antrieb commission"];
+    assert!(of_both.iter().all(|begin| calls.iter().any(|meant| meant.starts_with(begin))), "{}", pins.err);
+    // A code is never dropped.
+    let refused = call(here, "antrieb check arm.toml ...-25A-100-H-C1024");
+    assert!(
+        refused.code == 2 && !named(&refused.err).iter().any(|meant| meant.ends_with("arm.toml")),
+        "{}",
+        refused.err
+    );
+}
+
+#[test]
+fn a_stated_figure_is_no_figure_of_the_template() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let of_template = |file: &str| -> Vec<String> {
+        let record: Value = serde_json::from_str(&call(here, &format!("antrieb size {file} --json")).out).unwrap();
+        let all = record["assumptions"].as_array().unwrap().clone();
+        let own = all.into_iter().filter(|each| each["why"].as_str().is_some_and(|why| why.contains("template")));
+        own.filter_map(|each| each["key"].as_str().map(str::to_owned)).collect()
+    };
+    let mut tried = 0;
+    for (table, _) in LOADS {
+        let kind = table.rsplit('.').next().unwrap();
+        if ["joint", "table", "load"].contains(&kind) {
+            continue;
+        }
+        assert_eq!(call(here, &format!("antrieb new {kind} --out {kind}.toml --force")).code, 0);
+        let text = std::fs::read_to_string(here.join(format!("{kind}.toml"))).unwrap();
+        let figures = of_template(&format!("{kind}.toml"));
+        for path in figures.iter().take(4) {
+            let all = project::written(&text).unwrap();
+            let value = all.iter().find(|each| each.path == *path).and_then(|each| each.value.clone()).unwrap();
+            assert_eq!(
+                call(here, &format!("antrieb new {kind} --set \"{path}={value}\" --out own.toml --force")).code,
+                0
+            );
+            let left = of_template("own.toml");
+            tried += 1;
+            assert!(!left.contains(path), "{kind} {path} = {value}: {left:?}");
+        }
+    }
+    assert!(tried > 20, "{tried}");
+}

@@ -17,6 +17,7 @@ from antrieb import _antrieb
 from antrieb._called import called
 from antrieb._fault import fault
 from antrieb._plain import text as plain_text
+from antrieb._record import place_of
 from antrieb._section import Document, Load, ReturnMove, Section, Segment, Unread, _class, _of_file, _steps, _written
 from antrieb._source import Handed, ProjectSource, folder_text
 from antrieb._toml import changes, rendered
@@ -248,6 +249,8 @@ class BaseProject(_Source):
         return self.axis
 
     def _begin(self, **given: Any) -> None:
+        if given.get("axis") is None:
+            raise TypeError('Project takes axes, such as [antrieb.Axis("lift", …), antrieb.Axis("swivel", …)]')
         super()._begin(**given)
         recordings: dict[str, bytes] = {}
         names: set[str | None] = set()
@@ -292,7 +295,12 @@ class BaseProject(_Source):
                 if axis.name == which:
                     return axis
             raise KeyError(f"no axis is named {which!r}; there are {', '.join(str(axis.name) for axis in self.axis)}")
-        return self.axis[which]
+        if isinstance(which, slice):
+            return self.axis[which]  # type: ignore[return-value]
+        try:
+            return self.axis[place_of(which, "an axis by its place from 0, or by its name")]
+        except IndexError:
+            raise IndexError(f"there are {len(self.axis)} axes, the first at 0, and none at {which}") from None
 
 
 def _without_empty(document: Document) -> Document:

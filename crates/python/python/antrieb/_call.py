@@ -456,7 +456,9 @@ def unit_text(name: str, value: TimeLimit | None) -> str | None:
 def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
     """Names and texts of arguments, those that are given."""
     found: list[tuple[str, str]] = []
-    for name, value in values:
+    for name, given in values:
+        # An array without a dimension is one value.
+        value: Any = given[()] if getattr(given, "ndim", None) == 0 and hasattr(given, "__array_interface__") else given
         if name in WHOLE:
             _whole(value, name)
         if name in WORDS:

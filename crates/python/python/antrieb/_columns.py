@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from collections.abc import Collection, Mapping
 from decimal import Decimal
 from typing import Any
 
 from antrieb import _axis
 from antrieb._antrieb import Table
-from antrieb._axis import BaseAxis
+from antrieb._axis import BaseAxis, BaseProject
 from antrieb._fault import fault, faults
 from antrieb._plain import is_time, seconds, text
 from antrieb._quantity import Q, columns_of, unit_of_time
@@ -43,9 +44,9 @@ def heading(key: str, source: ProjectSource | None, unit: str | None = None) -> 
     """Returns the heading of a column: `motion.1.payload` and its unit as `motion[1].payload [kg]`."""
     from antrieb.sections import Axis
 
-    name, bracket, rest = key.partition(" [")
+    name, own = parted(key)
     first = name.replace("[", ".").partition(".")[0]
-    if not is_of_project(key):
+    if not is_of_project(name):
         # A label, or a key that no project has: its dots count no entries.
         return f"{key} [{unit}]" if unit else key
     if isinstance(source, BaseAxis):
@@ -54,11 +55,36 @@ def heading(key: str, source: ProjectSource | None, unit: str | None = None) -> 
         steps = _steps(name)
         path = _axis.joined(["requirements", *steps] if first in Axis._REQUIREMENTS else steps)
     path = _without_alias(path)
+    if own and unit:
+        raise fault(f"{key}: the column has a unit already, {unit}", f'write the key as "{name}"')
+    return f"{path} [{unit}]" if unit else path + own
+
+
+_UNIT = re.compile(r"(.*?)(\s*\(.*\)\s*|\s+/\s+\S+)")
+"""Name of a heading, and its unit in round brackets or behind a stroke."""
+
+
+def parted(key: str) -> tuple[str, str]:
+    """Returns the name of a heading, and its unit as it is written: `ambient_degC` is `ambient` and `_degC`."""
+    name, bracket, rest = key.partition(" [")
     if bracket:
-        if unit:
-            raise fault(f"{key}: the column has a unit already, {unit}", f'write the key as "{name}"')
-        return f"{path} [{rest}"
-    return f"{path} [{unit}]" if unit else path
+        return name, f" [{rest}"
+    match = _UNIT.fullmatch(key)
+    if match is not None and is_of_project(match[1]):
+        return match[1], match[2]
+    # The unit behind an underscore: the name without it is a key, and the whole is none.
+    name, line, unit = key.rpartition("_")
+    is_key = bool(name) and is_of_project(name) and not _is_field(key)
+    return (name, line + unit) if is_key else (key, "")
+
+
+def _is_field(key: str) -> bool:
+    """Returns true if the last name of a path is that of a field of some section."""
+    from antrieb import sections
+
+    last = key.rpartition(".")[2]
+    of_classes = (getattr(each, "_KEYS", {}) for each in vars(sections).values() if isinstance(each, type))
+    return any(last in keys for keys in of_classes)
 
 
 def _without_alias(path: str) -> str:
@@ -95,7 +121,7 @@ def columns(table: Any, source: ProjectSource | None = None, grid: bool = False,
         values: Any = given
         unit: str | None = None
         is_key = is_of_project(key) and "." in heading(key, source)
-        if (is_key or key.partition(" [")[0].strip().lower() in TIMES) and is_time(given):
+        if (is_key or _time_word(key) in TIMES) and is_time(given):
             values = _times(given, key, name)
         elif is_key and " [" not in key:
             values = _quantities(given, key)
@@ -123,11 +149,20 @@ def columns(table: Any, source: ProjectSource | None = None, grid: bool = False,
         raise fault(f"the columns have different lengths: {shown}", "grid=True takes every combination")
     if isinstance(source, BaseAxis):
         found.update(_ways_back(found, source))
+    elif isinstance(source, BaseProject):
+        _refuse_ways_back(found, source, name)
     return list(found.items())
 
 
 TIMES = ("time", "zeit", "dauer", "duration", "schaltzeit", "cycle", "cycle_time", "zyklus", "zykluszeit", "taktzeit", "pause")
 """Words for times of a project."""
+
+
+def _time_word(key: str) -> str:
+    """The word of a heading without its unit, in small letters: `time_s` and `Time [s]` are `time`."""
+    name = key.partition(" [")[0].strip().lower()
+    word, _, unit = name.rpartition("_")
+    return word if word in TIMES and unit in ("s", "ms", "us", "min", "h") else name
 
 
 def _one_text(key: Any, value: str, name: str) -> list[str]:
@@ -141,7 +176,7 @@ def _one_text(key: Any, value: str, name: str) -> list[str]:
 def _times(values: Any, key: str, name: str) -> Any:
     """Intervals as numbers in the unit of the heading, else in seconds."""
     place = f"{name}: column {key!r}"
-    unit = key.partition(" [")[2].strip().removesuffix("]")
+    unit = parted(key)[1].strip(" []()/_") or key.lower().strip().removeprefix(_time_word(key)).strip(" []_")
     if not unit:
         return Q(tuple(seconds(values, place)), "s")
     return seconds(values, place, unit=unit_of_time(unit, place))
@@ -199,6 +234,8 @@ def _is_schema(table: Any) -> bool:
 
 def _is_ready(table: Any, source: ProjectSource | None) -> bool:
     """Returns true if a table is read as it is: its columns are called as in the file, or no library can rename them."""
+    if has_ways_back(source):
+        return False
     if isinstance(table, Table):
         names = table.column_names
         return not isinstance(source, BaseAxis) and all("[" in key or heading(key, source) == key for key in names if "." in key)
@@ -245,28 +282,72 @@ def _is_text(kind: Any, library: Any) -> bool:
     return str(inner) in ("string", "large_string", "string_view")
 
 
+_OF_MOVE = re.compile(
+    r"(?P<axis>axis\[\d+\]\.)?motion\[(?P<place>\d+)\]\.(?P<key>distance|law)"
+    r"(?:\s*[\[(]\s*(?P<bracket>[^\])]*?)\s*[\])]|\s*/\s*(?P<slash>\S+)|_(?P<underscore>\w+))?\s*"
+)
+"""Heading of the distance or the law of a move, with its unit in every spelling of recordings."""
+
+
+def _of_moves(found: Mapping[str, Any], key: str) -> dict[int, tuple[str, str]]:
+    """The columns of a key of the moves: their headings and units, by the places of the moves."""
+    out: dict[int, tuple[str, str]] = {}
+    for head in found:
+        match = _OF_MOVE.fullmatch(head)
+        if match is not None and match["key"] == key and match["axis"] is None:
+            out[int(match["place"])] = (head, match["bracket"] or match["slash"] or match["underscore"] or "")
+    return out
+
+
+def has_ways_back(source: ProjectSource | None) -> bool:
+    """Returns true if an axis of objects has a way back, which follows from what stands before it."""
+    axes = getattr(source, "axes", ())
+    return any(isinstance(segment, ReturnMove) for axis in axes for segment in axis.motion)
+
+
+def _refuse_ways_back(found: Mapping[str, Any], project: BaseProject, name: str) -> None:
+    """Refuses what a way back of a project would have to follow: only the sweep of an axis has it."""
+    if not has_ways_back(project):
+        return
+    for head in found:
+        match = _OF_MOVE.fullmatch(head)
+        if match is not None:
+            raise fault(
+                f"{name}: column {head!r} changes a move before a Return, which a sweep of a whole project does not follow",
+                f'sweep the axis, such as antrieb.sweep(project["{project.axes[0]._named().get("name", "")}"], …), or write the way back as a Move',
+            )
+
+
 def _ways_back(found: Mapping[str, Any], axis: BaseAxis) -> dict[str, list[Any]]:
-    """The distances of the ways back where distances before them are swept."""
-    swept: dict[int, tuple[str, list[Any]]] = {}
-    for head, values in found.items():
-        name, _, unit = head.partition(" [")
-        steps = _steps(name) if name.startswith("motion") else []
-        if len(steps) == 3 and steps[0] == "motion" and steps[2] == "distance" and isinstance(steps[1], int):
-            swept[steps[1]] = (unit.rstrip("]"), _plain(values))
+    """The distances and laws of the ways back where those of moves before them are swept."""
+    distances, laws = _of_moves(found, "distance"), _of_moves(found, "law")
     out: dict[str, list[Any]] = {}
+    # The laws of the last move, where they are swept: a way back without a law has that of the move before it.
+    swept: list[Any] | None = None
     for place, segment in enumerate(axis.motion, 1):
-        if not isinstance(segment, ReturnMove) or place in swept or not any(before < place for before in swept):
+        is_back = isinstance(segment, ReturnMove)
+        if place in laws:
+            swept = _plain(found[laws[place][0]])
+        elif is_back and segment._values.get("law") is None:
+            if swept is not None:
+                out[f"motion[{place}].law"] = swept
+        elif is_back or isinstance(segment, _moves()):
+            swept = None
+        if not is_back:
+            continue
+        if place in distances or not any(before < place for before in distances):
             continue
         parts: list[list[Any] | Decimal] = []
         units: set[str] = set()
         for before in range(1, place):
             own = axis.motion[before - 1]
-            if before in swept:
-                unit, values = swept[before]
-                parts.append(values)
+            if before in distances:
+                head, unit = distances[before]
+                parts.append(_plain(found[head]))
             elif isinstance(own, ReturnMove):
                 # The way back to the beginning ends where it began.
                 parts.clear()
+                units.clear()
                 continue
             else:
                 number, unit = distance_of([own], "Return")
@@ -281,6 +362,12 @@ def _ways_back(found: Mapping[str, Any], axis: BaseAxis) -> dict[str, list[Any]]
             unit = units.pop()
             out[f"motion[{place}].distance [{unit}]" if unit else f"motion[{place}].distance"] = [_back(parts, row) for row in rows]
     return out
+
+
+def _moves() -> type:
+    from antrieb.sections import Move
+
+    return Move
 
 
 def _back(parts: list[list[Any] | Decimal], row: int) -> float | None:

@@ -172,7 +172,11 @@ class Rows(list[T], Generic[T]):
             return self._named(key)
         if isinstance(key, slice):
             return Rows(super().__getitem__(key))
-        return super().__getitem__(place_of(key, "an entry by its number, or by its code, id or name"))
+        place = place_of(key, "an entry by its number, or by its code, id or name")
+        try:
+            return super().__getitem__(place)
+        except IndexError:
+            raise IndexError(f"there are {len(self)} entries, the first at 0, and none at {place}") from None
 
     def __contains__(self, item: object, /) -> bool:
         return any(item in _names_of(each) for each in self) if isinstance(item, str) else super().__contains__(item)

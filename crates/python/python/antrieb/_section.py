@@ -175,9 +175,16 @@ class Section:
             changes: Fields by their path, such as `{"motion.1.payload": "8 kg"}`; entries count from one.
             fields: Fields by their name.
         """
-        found = self
-        for path, value in {**(changes or {}), **fields}.items():
-            found = found._replaced(_steps(path), path, value)
+        if changes is not None and not isinstance(changes, Mapping):
+            raise TypeError(f'changes: fields by their path are expected, such as {{"motion.1.payload": "8 kg"}}, not {_called(changes)}')
+        found, paths = self, dict[str, str]()
+        for path, value in [*(changes or {}).items(), *fields.items()]:
+            steps = _steps(path)
+            own = ".".join(str(step) for step in (steps[1:] if steps[0] == "requirements" else steps))
+            if own in paths:
+                raise fault(f"{path}: the field is changed twice, also as {paths[own]}", "give it one value")
+            paths[own] = path
+            found = found._replaced(steps, path, value)
         return found
 
     def _replaced(self, steps: list[str | int], path: str, value: Any) -> Self:
@@ -447,7 +454,11 @@ def _word(kind: Kind, value: Any, where: str) -> str:
 
 def _entries(value: Any, where: str, example: str) -> list[Any]:
     refuse_times(value, where, example)
-    if hasattr(value, "tolist"):
+    quantity = None if isinstance(value, Q) else of_pint(value)
+    if quantity is not None and quantity.unit == "":
+        # Numbers of pint, which a scalar one has no list of.
+        value = quantity.value
+    elif hasattr(value, "tolist") and not hasattr(value, "magnitude"):
         value = value.tolist()
     if isinstance(value, (str, bytes, Mapping, Section)) or not isinstance(value, Iterable):
         raise TypeError(f"{where} is a list such as {example}, not {_called(value)}")

@@ -284,8 +284,39 @@ def _is_carried(value: Any) -> bool:
     return isinstance(value, CARRIED) and type(value).__name__ not in EMPTY or getattr(getattr(value, "dtype", None), "kind", "") in ("m", "M")
 
 
+def _kind(value: Any) -> str:
+    """The kind of a value of a column, in the plural: values of two kinds would be converted into one."""
+    kind = getattr(getattr(value, "dtype", None), "kind", "")
+    if kind == "m" or isinstance(value, datetime.timedelta):
+        return "intervals"
+    if kind == "M":
+        return "instants"
+    if isinstance(value, datetime.datetime):
+        return "instants" if value.tzinfo is None else "instants of a time zone"
+    for of, name in ((datetime.date, "days"), (datetime.time, "times of day"), (bytes, "bytes"), (str, "texts"), (bool, "truth values")):
+        if isinstance(value, of):
+            return name
+    if isinstance(value, dict):
+        return f"dictionaries of {', '.join(map(str, value)) or 'nothing'}"
+    return "lists" if isinstance(value, (list, tuple)) else "numbers"
+
+
+def _in_one_unit(rows: list[Any]) -> Any:
+    """Intervals or instants as an array of NumPy in the finest unit among them, which loses none of them."""
+    numpy = importlib.import_module("numpy")
+    known = [value for value in rows if value is not None]
+    kind = "M" if any(isinstance(value, datetime.datetime) or getattr(getattr(value, "dtype", None), "kind", "") == "M" for value in known) else "m"
+    units = {numpy.datetime_data(value.dtype)[0] if hasattr(value, "dtype") else "us" for value in known}
+    finest = next(unit for unit in ("as", "fs", "ps", "ns", "us", "ms", "s", "m", "h", "D", "W", "M", "Y", "generic") if unit in units)
+    name = f"{kind}8" if finest == "generic" else f"{kind}8[{finest}]"
+    return numpy.array(rows, dtype=name)
+
+
 def _carried(given: list[Any], place: str, values: Any) -> Any:
     """A column that is only repeated, in its type; without a library of Arrow times are texts. An array of times is handed over as it is."""
+    kinds = dict.fromkeys(_kind(value) for value in given if not _is_empty(value) and not isinstance(value, (uuid.UUID, os.PathLike)))
+    if len(kinds) > 1:
+        raise TypeError(f"{place} mixes {' and '.join(kinds)}; a column has values of one kind")
     rows: Any = [None if _is_empty(value) else str(value) if isinstance(value, (uuid.UUID, os.PathLike)) else value for value in given]
     library = arrow_library()
     if library is None:
@@ -296,10 +327,8 @@ def _carried(given: list[Any], place: str, values: Any) -> Any:
         return rows
     if values is not None:
         rows = values
-    kinds = [value.dtype for value in rows if getattr(getattr(value, "dtype", None), "kind", "") in ("m", "M")]
-    if kinds:
-        # Single times of NumPy, whose unit an array has too.
-        rows = importlib.import_module("numpy").array(rows, dtype=max(kinds, key=str))
+    if values is None and any(getattr(getattr(value, "dtype", None), "kind", "") in ("m", "M") for value in rows):
+        rows = _in_one_unit(rows)
     try:
         return library.Series(rows) if library.__name__ == "polars" else library.chunked_array([library.array(rows)])
     except (TypeError, ValueError, OverflowError, library.ArrowException if library.__name__ == "pyarrow" else TypeError) as error:

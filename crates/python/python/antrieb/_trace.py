@@ -113,6 +113,8 @@ def _columns(given: Any, name: str) -> dict[str, list[Any]]:
         source = source.to_dict(as_series=False)
     elif hasattr(source, "to_pydict"):
         source = source.to_pydict()
+    elif hasattr(source, "read_all"):
+        source = source.read_all().to_pydict()
     elif not isinstance(given, Mapping):
         table: Any = arrow(source, name)
         source = table.to_pydict()
