@@ -202,8 +202,24 @@ def _check_head(lang: str) -> list[str]:
     return [word["check"], word["verdict"], word["value"], word["limit"], word["unit"], word["utilisation"]]
 
 
+SIGNS = {"1": "", "degC": "°C", "ohm": "Ω", "1/min": "min⁻¹", "deg": "°"}
+"""Units of records that have a sign of their own."""
+
+POWERS = (("^-1", "⁻¹"), ("^-2", "⁻²"), ("^2", "²"), ("^3", "³"), ("^4", "⁴"))
+
+
+def unit_sign(unit: str | None) -> str:
+    """Returns a unit of a record as it is read: `kgm^2` as kgm², `1/min` as min⁻¹."""
+    if unit is None:
+        return ""
+    found = SIGNS.get(unit, unit)
+    for written, sign in POWERS:
+        found = found.replace(written, sign)
+    return found
+
+
 def _check_row(check: Any, lang: str) -> list[str]:
-    unit = "" if check.unit in (None, "1") else check.unit
+    unit = unit_sign(check.unit)
     verdict = words(lang)[check.verdict] + (f": {check.missing}" if check.verdict == "not_checked" and check.missing else "")
     return [check.title, verdict, number(check.value, lang), number(check.limit, lang), unit, percent(check.utilisation, lang)]
 
@@ -242,7 +258,7 @@ def _comparison(record: Any, lang: str) -> View:
     rows: Cells = [[word["utilisation"], *(percent(each.utilisation, lang) for each in heads)]]
     order = sorted(record.checks, key=_importance_of_row)
     rows += [[row.title, *(_result(each, lang) for each in row.answers)] for row in order]
-    rows += [[f"{row.symbol} {row.unit}", *(number(value, lang) for value in row.values)] for row in [*record.demand, *record.data]]
+    rows += [[f"{row.symbol} {unit_sign(row.unit)}", *(number(value, lang) for value in row.values)] for row in [*record.demand, *record.data]]
     return View(record.axis, "", lines, [word["check"], *names], rows, [False] + [True] * len(names), 0, [])
 
 
@@ -519,7 +535,8 @@ def _bars(bars: Sequence[tuple[str, float, str]]) -> str:
 
 
 def _amount(node: Any, lang: str) -> str:
-    unit = "" if node.unit == "1" else f" {node.unit}"
+    sign = unit_sign(node.unit)
+    unit = f" {sign}" if sign else ""
     return number(node.value, lang, 6) + unit
 
 
