@@ -13,7 +13,7 @@ mod value;
 use crate::command::typed::{number_and_unit, typed};
 use clap::ArgMatches;
 pub(crate) use factor::factor;
-use factor::{any_factor, undecided_factors};
+use factor::{any_factor, percentage, undecided_factors};
 use project::{
     Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, other_names, paced, stretch, truth, written,
 };
@@ -422,9 +422,7 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
     let what = words::spoken::scaled(what).unwrap_or(what);
     if !SCALED.contains(&what) {
         // The value of one key: the percentage says the same.
-        let percent = |number: f64| unpadded((100.0 * (number - 1.0)).abs(), 9, Language::En);
-        let of_key = any_factor(factor)
-            .map(|number| format!("{what}={}{}%", if number < 1.0 { "-" } else { "+" }, percent(number)));
+        let of_key = any_factor(factor).map(|number| format!("{what}={}", percentage(number)));
         if let Some(made) = of_key.and_then(|change| set(text, &change, prefix, language).ok()) {
             return Ok(made);
         }

@@ -204,7 +204,7 @@ fn first_result(call: &Call<'_>, text: &str, out: &Path) -> Option<String> {
     let sizing = questions::size(project);
     let call = typed(["antrieb", "size", &path_text(out)]);
     Some(match sizing.answer() {
-        Some(best) => terminal::result_of_new(&best.id, &verdict_of(best, language), &call, language),
+        Some(best) => format!("{}: {} ({call})", best.id, verdict_of(best, language)),
         None => terminal::no_result_of_new(&call, language),
     })
 }

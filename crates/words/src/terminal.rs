@@ -174,7 +174,6 @@ texts! {
     call_understood(call) = "understood as: {call}" | "verstanden als: {call}";
     not_scaled(axis, why, others) = "axis {axis}: {why}; select another axis with --axis: {others}" | "Achse {axis}: {why}; eine andere Achse mit --axis wählen: {others}";
     change_of_another_axis(path, axis, own) = "{path} is a value of the axis {axis}; the call is about {own} (--axis {axis})" | "{path} ist ein Wert der Achse {axis}; der Aufruf gilt für {own} (--axis {axis})";
-    result_of_new(code, verdict, call) = "{code}: {verdict} ({call})" | "{code}: {verdict} ({call})";
     no_result_of_new(call) = "no actuator fits ({call})" | "kein Antrieb geeignet ({call})";
     changed_for_this_call(change) = "for this call: {change}" | "für diesen Aufruf: {change}";
     values_of_a_new_project(values) =

@@ -16,6 +16,12 @@ pub(crate) fn share(text: &str) -> Option<f64> {
     }
 }
 
+/// Returns the change that a factor makes, as a percentage with a sign: 1.15 is `+15%`.
+pub(super) fn percentage(factor: f64) -> String {
+    let text = format!("{:+.6}", 100.0 * (factor - 1.0));
+    format!("{}%", text.trim_end_matches('0').trim_end_matches('.'))
+}
+
 /// Returns the factors that a statement may mean and that none of its forms decides: `15%`, `+0.15`.
 pub(super) fn undecided_factors(text: &str) -> Vec<String> {
     let number = text.strip_suffix('%').map(str::trim);

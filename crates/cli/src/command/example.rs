@@ -263,11 +263,11 @@ impl Stray {
         if calls.is_empty() {
             let own = called.other_command(&self.word);
             let behind = (self.place, self.place + 1);
+            calls.extend(called.swept(arguments));
+            calls.extend(own.or_else(|| called.with_command_of_value(&self.word, behind, arguments)));
             // The pins of an actuator are the same for every drive.
             let is_about_pins = called.entry.is_some_and(|entry| entry.command == "wiring");
             calls.extend(filled(&without(&[]), called).filter(|_| is_about_pins));
-            calls.extend(called.swept(arguments));
-            calls.extend(own.or_else(|| called.with_command_of_value(&self.word, behind, arguments)));
         }
         if calls.is_empty() && called.projects.len() > 1 && called.is_project_of_call(&self.word) {
             calls.extend(called.calls_of_projects(arguments, self.place));
