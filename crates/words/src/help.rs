@@ -425,8 +425,8 @@ texts! {
         | "Änderungen in jedem Nachweis zwischen zwei Ständen eines Projekts";
     diff_old = "Project file before" | "Projektdatei vorher";
     diff_new =
-        "Project file after, with the values of --set and --scale; only with these it may be omitted. Its verdict determines the exit code"
-        | "Projektdatei nachher, mit den Werten von --set und --scale; nur mit diesen kann sie entfallen. Ihr Ergebnis bestimmt den Rückgabewert";
+        "Project file after, with the changed values of the call; only with such values it may be omitted. Its verdict determines the exit code"
+        | "Projektdatei nachher, mit den geänderten Werten des Aufrufs; nur mit solchen Werten kann sie entfallen. Ihr Ergebnis bestimmt den Rückgabewert";
     diff_code =
         "Ordering code; default: the project's own [actuator], otherwise the best one before"
         | "Bestellbezeichnung; ohne Angabe der eigene [actuator] des Projekts, sonst der beste vorher";

@@ -261,7 +261,7 @@ fn a_stated_figure_is_no_figure_of_the_template() {
         assert_eq!(call(here, &format!("antrieb new {kind} --out {kind}.toml --force")).code, 0);
         let text = std::fs::read_to_string(here.join(format!("{kind}.toml"))).unwrap();
         let figures = of_template(&format!("{kind}.toml"));
-        for path in figures.iter().take(4) {
+        for path in figures.iter().take(2) {
             let all = project::written(&text).unwrap();
             let value = all.iter().find(|each| each.path == *path).and_then(|each| each.value.clone()).unwrap();
             assert_eq!(
@@ -273,5 +273,5 @@ fn a_stated_figure_is_no_figure_of_the_template() {
             assert!(!left.contains(path), "{kind} {path} = {value}: {left:?}");
         }
     }
-    assert!(tried > 20, "{tried}");
+    assert!(tried > 12, "{tried}");
 }

@@ -295,8 +295,8 @@ class BaseProject(_Source):
                 if axis.name == which:
                     return axis
             raise KeyError(f"no axis is named {which!r}; there are {', '.join(str(axis.name) for axis in self.axis)}")
-        if isinstance(which, slice):
-            return self.axis[which]  # type: ignore[return-value]
+        if isinstance(which, slice):  # pyright: ignore[reportUnnecessaryIsInstance]
+            return self.axis[which]
         try:
             return self.axis[place_of(which, "an axis by its place from 0, or by its name")]
         except IndexError:

@@ -175,7 +175,7 @@ class Section:
             changes: Fields by their path, such as `{"motion.1.payload": "8 kg"}`; entries count from one.
             fields: Fields by their name.
         """
-        if changes is not None and not isinstance(changes, Mapping):
+        if changes is not None and not isinstance(changes, Mapping):  # pyright: ignore[reportUnnecessaryIsInstance]
             raise TypeError(f'changes: fields by their path are expected, such as {{"motion.1.payload": "8 kg"}}, not {_called(changes)}')
         found, paths = self, dict[str, str]()
         for path, value in [*(changes or {}).items(), *fields.items()]:
@@ -458,7 +458,7 @@ def _entries(value: Any, where: str, example: str) -> list[Any]:
     if quantity is not None and quantity.unit == "":
         # Numbers of pint, which a scalar one has no list of.
         value = quantity.value
-    elif hasattr(value, "tolist") and not hasattr(value, "magnitude"):
+    elif not isinstance(value, Q) and hasattr(value, "tolist") and not hasattr(value, "magnitude"):
         value = value.tolist()
     if isinstance(value, (str, bytes, Mapping, Section)) or not isinstance(value, Iterable):
         raise TypeError(f"{where} is a list such as {example}, not {_called(value)}")
