@@ -201,6 +201,8 @@ fn first_result(call: &Call<'_>, text: &str, out: &Path) -> Option<String> {
     let file = SourceFile::of_text(path_text(out), text.as_bytes().to_vec(), folder, call.memory());
     let projects = file.source().projects(questions::embedded_catalogue(), progress(), language).ok()?;
     let [project] = &projects[..] else { return None };
+    // A long recording is written at once; its sizing takes a call of its own.
+    Cost::Other.is_quick([project]).ok()?;
     let sizing = questions::size(project);
     let call = typed(["antrieb", "size", &path_text(out)]);
     Some(match sizing.answer() {
