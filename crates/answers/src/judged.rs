@@ -71,8 +71,7 @@ impl Candidate {
     /// Returns `true` if it counts as fitting though no check that can reject it could be made.
     #[must_use]
     pub fn is_not_evaluated(&self) -> bool {
-        let decides = |check: &Check| *check.verdict != Verdict::NotChecked && !check.id.is_recommendation();
-        self.verdict != Fit::DoesNotFit && !self.checks.iter().any(decides)
+        self.verdict != Fit::DoesNotFit && !self.checks.iter().any(|check| check.id.can_reject(*check.verdict))
     }
 }
 

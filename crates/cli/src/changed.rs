@@ -250,7 +250,7 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
             match <[String; 1]>::try_from(found) {
                 Ok([path]) => path,
                 Err(found) if found.is_empty() => return Err(no_key(&all, (prefix, &key), value, language)),
-                Err(found) => return Err(several_keys(&found, &key, value, language)),
+                Err(found) => return Err(several_keys(&found, &key, value, "--set", language)),
             }
         }
     };
@@ -323,7 +323,7 @@ fn no_key(all: &[Written], (prefix, key): (&str, &str), value: &str, language: L
 
 /// Returns the refusal of a key that may be one of several, with the line for each; moves that have a word in common have its
 /// line first.
-fn several_keys(found: &[String], key: &str, value: &str, language: Language) -> Fault {
+fn several_keys(found: &[String], key: &str, value: &str, option: &str, language: Language) -> Fault {
     // The payloads of several moves have one word.
     let is_payload = |path: &&String| path.ends_with("].payload");
     let is_one = found.iter().filter(is_payload).count() < 2;
@@ -337,8 +337,8 @@ fn several_keys(found: &[String], key: &str, value: &str, language: Language) ->
     let mut keys: Vec<&str> = word.as_deref().filter(|_| is_common).into_iter().collect();
     keys.extend(found.iter().filter(|path| is_one || !is_payload(path)).map(String::as_str));
     keys.extend((!is_one).then_some("payload"));
-    let option = |path: &&str| typed(["--set", &format!("{path}={}", seen(value))]);
-    let hint = UsageHint::Calls(keys.iter().take(NAMED_KEYS_MOST).map(option).collect());
+    let call = |path: &&str| typed([option, &format!("{path}={}", seen(value))]);
+    let hint = UsageHint::Calls(keys.iter().take(NAMED_KEYS_MOST).map(call).collect());
     let message = match found {
         [one, other, ..] => terminal::set_which(&seen(key), one, other, language),
         _ => String::new(),
@@ -420,18 +420,27 @@ pub(crate) const LOAD_FACTORS: RangeInclusive<f64> = 0.5..=2.0;
 fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(String, String), Fault> {
     let (what, factor) = change.split_once('=').map_or((change, ""), |(what, factor)| (what.trim(), factor.trim()));
     let what = words::spoken::scaled(what).unwrap_or(what);
+    let all = written(text).unwrap_or_default();
     if !SCALED.contains(&what) {
         // The value of one key: the percentage says the same.
-        let of_key = any_factor(factor).map(|number| format!("{what}={}", percentage(number)));
-        if let Some(made) = of_key.and_then(|change| set(text, &change, prefix, language).ok()) {
-            return Ok(made);
+        if let Some(number) = any_factor(factor) {
+            let of_key = |key: &str| set(text, &format!("{key}={}", percentage(number)), prefix, language).ok();
+            // Only a stated value can be scaled.
+            let is_stated = |path: &String| all.iter().any(|each| each.path == *path && each.value.is_some());
+            let keys: Vec<String> = keys::named(&all, prefix, what, "").into_iter().filter(is_stated).collect();
+            let own = || <[String; 1]>::try_from(keys.clone()).ok().and_then(|[key]| of_key(&key));
+            if let Some(made) = of_key(what).or_else(own) {
+                return Ok(made);
+            }
+            if keys.len() > 1 {
+                return Err(several_keys(&keys, what, factor, "--scale", language));
+            }
         }
         let words: Vec<String> = SCALED.iter().map(|word| (*word).to_owned()).collect();
         return Err(bad(change, "scale", UsageHint::Words(project::Hint::ValidAre(words)), language));
     }
     let number = any_factor(factor);
     let undecided = undecided_factors(factor);
-    let all = written(text).unwrap_or_default();
     if number.is_none() && !undecided.is_empty() {
         let calls = undecided.iter().map(|factor| typed(["--scale", &format!("{what}={factor}")])).collect();
         let message = terminal::factor_undecided(&seen(factor), language);

@@ -131,7 +131,7 @@ impl Candidate<'_> {
                 Verdict::NotChecked => &mut counts.without_limit,
             };
             *of += 1;
-            counts.deciding += usize::from(check.verdict != Verdict::NotChecked && !check.id.is_recommendation());
+            counts.deciding += usize::from(check.id.can_reject(check.verdict));
         }
         let open = |objection: &&Objection| matches!(objection, Objection::Unmet(unmet) if unmet.is_open());
         let objections_open = self.objections.iter().filter(open).count();

@@ -434,6 +434,12 @@ impl CheckId {
         matches!(self.margin(), Margin::Recommendation)
     }
 
+    /// Returns `true` if a check with this verdict could have rejected the actuator: it was made, and is no recommendation.
+    #[must_use]
+    pub const fn can_reject(self, verdict: Verdict) -> bool {
+        !matches!(verdict, Verdict::NotChecked) && !self.is_recommendation()
+    }
+
     /// Returns the shaft to whose angle or speed value and limit refer, to which a linear axis behind it is
     /// proportional; `None` for other quantities.
     #[must_use]
