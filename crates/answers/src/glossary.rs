@@ -13,14 +13,28 @@ pub struct Glossary {
     /// Symbols of the derivations and of the values for a servo drive. A symbol with several meanings has several
     /// entries.
     pub symbols: Vec<GlossarySymbol>,
+    /// Checks with the requested title; only where there are some.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub checks: Vec<GlossaryCheck>,
 }
 
 impl Glossary {
     /// Returns `true` if nothing was found.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
-        self.words.is_empty() && self.terms.is_empty() && self.symbols.is_empty()
+        self.words.is_empty() && self.terms.is_empty() && self.symbols.is_empty() && self.checks.is_empty()
     }
+}
+
+/// A check of an actuator, which `explain` states with formula, inputs and sources.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct GlossaryCheck {
+    /// Identifier.
+    pub id: String,
+    /// English title.
+    pub en: String,
+    /// German title.
+    pub de: String,
 }
 
 /// A word of the product.

@@ -3,7 +3,7 @@
 use crate::{AssumptionEntry, Check, Demand, Fit, Id, Motion, Number, Units};
 use schemars::JsonSchema;
 use serde::Serialize;
-use sizing::{CheckId, Verdict};
+use sizing::CheckId;
 
 /// Maker, series and kind of a product, stated where products of catalogue files compete.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]

@@ -65,7 +65,7 @@ pub use files::{
     AxisWritten, ColumnKind, ExportWritten, FilesWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn,
     TableRow, TableWritten,
 };
-pub use glossary::{Glossary, GlossarySymbol, GlossaryTerm, GlossaryWord};
+pub use glossary::{Glossary, GlossaryCheck, GlossarySymbol, GlossaryTerm, GlossaryWord};
 pub use id::{Availability, Fit, Id, Identified};
 pub use judged::{
     Assessed, Candidate, Influence, Judgement, Make, NeededLimit, NotSought, Quantiles, Ranked, Rejection, Reserve,

@@ -11,7 +11,7 @@ use quantities::Language;
 use questions::list::explain::derivation;
 use questions::list::{Cost, Inquiry, Unanswered, explain};
 use questions::texts::{margin_share, node_amount, trust, verdict_text};
-use questions::{Candidate, Check};
+use questions::{Candidate, Check, Verdict};
 use std::fmt::Write as _;
 use words::{check_missing, erratum_line, note_text, percent_text, symbol_shown, terminal, title_of_check};
 
@@ -28,8 +28,10 @@ pub(crate) fn explain(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandA
 }
 
 fn derivations(project: &AxisProject, candidate: &Candidate<'_>, checks: &[&Check], language: Language) -> String {
+    // Whoever wants to know why an actuator does not fit reads on from the top.
+    let (failed, others): (Vec<&Check>, Vec<&Check>) = checks.iter().partition(|check| check.verdict == Verdict::Fail);
     let mut out = String::new();
-    for check in checks {
+    for check in failed.into_iter().chain(others) {
         out.push_str(&paragraph("", &format!("{}: {}", candidate.id, heading(check, language))));
         out.push_str(&text(check, language));
         out.push('\n');

@@ -2,6 +2,7 @@
 
 use crate::answer::CommandAnswer;
 use crate::call::Call;
+use crate::command::what_a_check_is;
 use crate::table::{Align, TextTable, paragraph};
 use answers::Number;
 use questions::list::{Inquiry, Unanswered, glossary, units};
@@ -50,6 +51,10 @@ pub(crate) fn glossary(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Command
             table.row([name, own, foreign]);
         }
         parts.push(table.render());
+    }
+    for check in &found.checks {
+        let [own, _] = own_and_foreign(&check.en, &check.de, language);
+        parts.push(what_a_check_is(own, &check.id, language));
     }
     Ok(CommandAnswer::data(parts.join("\n")))
 }

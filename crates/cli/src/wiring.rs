@@ -2,6 +2,7 @@
 
 use crate::answer::CommandAnswer;
 use crate::call::Call;
+use crate::command::typed::typed;
 use crate::laid_out::shown;
 use crate::plot;
 use crate::table::{Align, TextTable};
@@ -13,6 +14,9 @@ use questions::list::{Inquiry, Unanswered, wiring_check};
 use std::fmt::Write as _;
 use words::wiring;
 
+/// Servo drive of the example of `commission`.
+const DRIVE: &str = "sinamics";
+
 /// `antrieb wiring CODE`
 pub(crate) fn wiring(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
@@ -20,7 +24,9 @@ pub(crate) fn wiring(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAn
     if plot::is_asked(call) {
         return draw(&found, call);
     }
-    Ok(CommandAnswer::data(shown(&chapter::wiring(&record, Vec::new(), language), language)))
+    let pins = shown(&chapter::wiring(&record, Vec::new(), language), language);
+    let call = typed(["antrieb", "commission", &record.code, "--for", DRIVE]);
+    Ok(CommandAnswer::data(format!("{pins}\n{}:\n  {call}\n", wiring::drive_values(language))))
 }
 
 fn draw(found: &questions::list::wiring::CodeWiring, call: &Call<'_>) -> Result<CommandAnswer, Unanswered> {

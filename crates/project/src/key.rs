@@ -127,6 +127,13 @@ pub struct Variants {
 }
 
 impl Variants {
+    /// Returns the keys that a kind may have: its own and those of every kind; `None` for an unknown kind.
+    pub(crate) fn keys_of(&self, kind: &str) -> Option<Vec<&'static str>> {
+        let (_, needed, optional) = self.kinds.iter().find(|(name, ..)| *name == kind)?;
+        let own = needed.iter().chain(*optional).chain(self.shared);
+        Some(std::iter::once(self.by).chain(own.copied()).collect())
+    }
+
     /// Returns the line of the only kind that may have a key: `law = "dwell"`; `None` for a key of several kinds.
     pub(crate) fn only_kind_with(&self, key: &str) -> Option<String> {
         let has = |(_, needed, optional): &&(&str, &[&str], &[&str])| needed.contains(&key) || optional.contains(&key);

@@ -4,6 +4,7 @@ use crate::Hint;
 use crate::key::{Key, Kind};
 use crate::read::{WORD_SHOWN, shortened};
 use quantities::Dimension;
+use toml::de::DeTable;
 
 /// Other names of keys: those of other programs, and German ones, each with the keys that it may name, the usual one first.
 const OTHER_NAMES: [(&str, &[&str]); 94] = [
@@ -169,6 +170,16 @@ pub(crate) fn in_another_table(written: &str) -> Option<Hint> {
         Some(Hint::KeyOfTable { key: named(table.kind.keys(true))?, table: heading })
     });
     found.next().filter(|_| found.next().is_none())
+}
+
+/// Returns the keys of the kind that a table states, `law = "trapezoid"`; `None` for a table without kinds, and for an unknown one.
+pub(crate) fn of_the_kind(table: &DeTable<'_>, keys: &'static [Key]) -> Option<Hint> {
+    let of_table = crate::root::KEYS.iter().find_map(|key| match key.kind {
+        Kind::Variants(variants) if std::ptr::eq(variants.keys, keys) => Some(variants),
+        _ => None,
+    })?;
+    let (_, stated) = table.iter().find(|(name, _)| *name.get_ref() == of_table.by)?;
+    Some(Hint::valid(&of_table.keys_of(stated.get_ref().as_str()?)?))
 }
 
 /// Iterates over the digits of a name.

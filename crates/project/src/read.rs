@@ -3,7 +3,7 @@
 use crate::bodies::BodyText;
 use crate::inputs::Input;
 use crate::key::{Key, Kind, Variants, example, keys_at};
-use crate::nearest::{in_another_table, meant, nearest, of_the_quantity};
+use crate::nearest::{in_another_table, meant, nearest, of_the_kind, of_the_quantity};
 use crate::recovery::{Recovery, SyntaxFault, is_invisible};
 use crate::report::FaultReport;
 use crate::section::{Fields, Section};
@@ -128,7 +128,7 @@ impl<'t> Reader<'t> {
             let is_reported = self.report.is_unread(&name.span()) || self.report.is_of_damaged_heading(&name.span());
             // The key may belong to a heading that could not be read.
             if !self.torn && !is_reported {
-                self.unknown_key(name, value.get_ref(), keys, path);
+                self.unknown_key((name, value.get_ref()), (table, keys), path);
             }
         }
     }
@@ -168,7 +168,12 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn unknown_key(&mut self, name: &Spanned<Cow<'_, str>>, value: &DeValue<'_>, keys: &'static [Key], path: &str) {
+    fn unknown_key(
+        &mut self,
+        (name, value): (&Spanned<Cow<'_, str>>, &DeValue<'_>),
+        (table, keys): (&DeTable<'_>, &'static [Key]),
+        path: &str,
+    ) {
         let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
         let fault = Fault::UnknownKey { path: joined(path, &shortened(name.get_ref(), WORD_SHOWN)) };
         let hint = self.nearest(&name.span(), name.get_ref(), &names).map(|near| match near {
@@ -178,7 +183,7 @@ impl<'t> Reader<'t> {
                 // A load of a segment has its own table in every project; other tables may have nothing to do with this one.
                 let of_a_segment = || elsewhere().filter(Hint::is_of_a_segment);
                 let found = meant(name.get_ref(), keys).or_else(of_a_segment).or_else(quantity).or_else(elsewhere);
-                found.unwrap_or(near)
+                found.or_else(|| of_the_kind(table, keys)).unwrap_or(near)
             }
             near => near,
         });

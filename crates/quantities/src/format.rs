@@ -4,15 +4,46 @@ use crate::{Language, Unit};
 
 /// Formats a number with a fixed count of decimals; decimal comma in German; no negative zero.
 ///
-/// A value that is no number is written as a word, so that it cannot pass for a result.
+/// A half is rounded away from zero, after the noise of the computation is taken off: 46.875 and 46.874 999 999 999 99 are
+/// two computations of one value, and have one text. A value that is no number is written as a word, so that it cannot pass
+/// for a result.
 ///
 /// ```
 /// use quantities::{Language, format_number};
 /// assert_eq!(format_number(-93.984, 2, Language::De), "−93,98");
+/// assert_eq!([46.875, 46.874_999_999_999_99].map(|speed| format_number(speed, 2, Language::En)), ["46.88", "46.88"]);
 /// ```
 #[must_use]
 pub fn format_number(value: f64, digits: usize, language: Language) -> String {
-    if value.is_finite() { typeset(&format!("{value:.digits$}"), language) } else { not_finite(value, language) }
+    if !value.is_finite() {
+        return not_finite(value, language);
+    }
+    let (number, exponent) = decimal(value);
+    let decimals = i32::try_from(digits).unwrap_or(i32::MAX);
+    let dropped = u32::try_from((COMPUTED - 1 - exponent).saturating_sub(decimals)).unwrap_or(0);
+    if dropped == 0 {
+        return typeset(&format!("{value:.digits$}"), language);
+    }
+    let text = format!("{:0>width$}", without_digits(number, dropped), width = digits + 1);
+    let (whole, decimals) = text.split_at(text.len() - digits);
+    let sign = if value < 0.0 { "-" } else { "" };
+    let point = if digits == 0 { "" } else { "." };
+    typeset(&format!("{sign}{whole}{point}{decimals}"), language)
+}
+
+/// Significant digits in which two computations of one value agree.
+const COMPUTED: i32 = 13;
+
+/// Returns the magnitude of a value as a whole number of [`COMPUTED`] digits, and the power of ten of its first one.
+fn decimal(value: f64) -> (u64, i32) {
+    let text = format!("{:.*e}", usize::try_from(COMPUTED - 1).unwrap_or(0), value.abs());
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    (mantissa.replace('.', "").parse().unwrap_or(0), exponent.parse().unwrap_or(0))
+}
+
+/// Returns a whole number without so many of its last digits, rounded half up.
+fn without_digits(number: u64, dropped: u32) -> u64 {
+    10_u64.checked_pow(dropped).map_or(0, |power| number.saturating_add(power / 2) / power)
 }
 
 /// Formats a number with a count of significant digits; decimal comma in German.
@@ -37,15 +68,32 @@ pub fn format_significant(value: f64, digits: usize, language: Language) -> Stri
     }
     let digits = digits.clamp(1, 17);
     // Rounded before the exponent is read: 9.996 with three digits is 10.0.
-    let scientific = format!("{value:.*e}", digits - 1);
-    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let (exponent, mantissa) = significant(value, digits);
     let is_whole = value.fract() == 0.0;
     if !(1e-4..if is_whole { 1e7 } else { 1e6 }).contains(&value.abs()) {
-        let raised: String = exponent.chars().map(raised).collect();
-        return format!("{}·10{raised}", typeset(mantissa, language));
+        let raised: String = exponent.to_string().chars().map(raised).collect();
+        return format!("{}·10{raised}", typeset(&mantissa, language));
     }
-    let decimals = i32::try_from(digits).unwrap_or(17) - 1 - exponent.parse().unwrap_or(0);
+    let decimals = i32::try_from(digits).unwrap_or(17) - 1 - exponent;
     format_number(value, usize::try_from(decimals).unwrap_or(0), language)
+}
+
+/// Returns the power of ten of a value rounded to a count of significant digits as by [`format_number`], and its mantissa.
+fn significant(value: f64, digits: usize) -> (i32, String) {
+    let dropped = u32::try_from(COMPUTED).unwrap_or(0).saturating_sub(u32::try_from(digits).unwrap_or(0));
+    if dropped == 0 {
+        let scientific = format!("{value:.*e}", digits - 1);
+        let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+        return (exponent.parse().unwrap_or(0), mantissa.to_owned());
+    }
+    let (number, exponent) = decimal(value);
+    let rounded = without_digits(number, dropped).to_string();
+    let exponent = exponent + i32::from(rounded.len() > digits);
+    let sign = if value < 0.0 { "-" } else { "" };
+    let (first, further) = rounded.split_at(1);
+    let further = further.get(..digits - 1).unwrap_or(further);
+    let point = if digits == 1 { "" } else { "." };
+    (exponent, format!("{sign}{first}{point}{further}"))
 }
 
 /// Most digits that tell two numbers apart: beyond, they are equal up to rounding.
@@ -249,7 +297,9 @@ mod tests {
             (9.996, 3, "10,0"),
             (0.099_96, 3, "0,100"),
             (100.0, 4, "100,0"),
-            (-7.25, 2, "−7,2"),
+            (-7.25, 2, "−7,3"),
+            (7.35, 2, "7,4"),
+            (0.999_5, 3, "1,00"),
             (5.0, 0, "5"),
             (0.0001, 3, "0,000100"),
             (999_999.4, 3, "999999"),
@@ -264,6 +314,25 @@ mod tests {
             (9.9e-5, 1, "1·10⁻⁴"),
         ] {
             assert_eq!(format_significant(value, digits, Language::De), text);
+        }
+    }
+
+    /// Halves, and what a computation makes of them in its last bits, are rounded away from zero; all other digits are those
+    /// of exact decimal arithmetic.
+    #[test]
+    fn two_computations_of_one_value_have_one_text() {
+        for thousandths in (1_u64..200_000).step_by(37).chain((5..200_000).step_by(910)) {
+            let value = thousandths as f64 / 1000.0;
+            let hundredths = (thousandths + 5) / 10;
+            let text = format!("{}.{:02}", hundredths / 100, hundredths % 100);
+            for bits in [-3_i64, -1, 0, 1, 3] {
+                let noisy = f64::from_bits(value.to_bits().saturating_add_signed(bits));
+                assert_eq!(format_number(noisy, 2, Language::En), text, "{thousandths} {bits}");
+                for digits in 1..=6 {
+                    let [exact, other] = [value, noisy].map(|value| format_significant(value, digits, Language::De));
+                    assert_eq!(exact, other, "{thousandths} {bits} {digits}");
+                }
+            }
         }
     }
 

@@ -1,14 +1,16 @@
 //! Look-up of words and symbols of the field and of the product.
 
-use answers::{Glossary, GlossarySymbol, GlossaryTerm, GlossaryWord};
+use answers::{Glossary, GlossaryCheck, GlossarySymbol, GlossaryTerm, GlossaryWord};
 use quantities::Language;
-use words::{glossary_symbols, symbol_shown, term_remark, word_meaning};
+use sizing::CheckId;
+use words::{check_title, glossary_symbols, symbol_shown, term_remark, word_meaning};
 
 /// Returns the glossary, or its entries for a symbol, an identifier or a word.
 ///
 /// The first of these comparisons with a result decides: the exact name, the name without regard to capitals, without
-/// regard to the spelling of a symbol (`tau_e`, `τ_e`, `τe`), a whole word of a name, a part of a text. A word without a
-/// term of its own comes with the terms of the tables whose names contain it.
+/// regard to the spelling of a symbol (`tau_e`, `τ_e`, `τe`), a whole word of a name, several words of one name, a part of a
+/// text. A word without a term of its own comes with the terms of the tables whose names contain it; the title of a check
+/// also names that check.
 ///
 /// # Errors
 /// The nearest names if nothing is found.
@@ -26,25 +28,51 @@ pub fn glossary(wanted: Option<&str>, language: Language) -> Result<Glossary, Ve
         }
         Glossary { terms: by_word().terms, ..found }
     };
+    let spelled = folded(wanted);
+    // A title that is also the name of a symbol or of a word comes with it.
+    let with_checks = |found: Glossary| Glossary { checks: checks_titled(&spelled), ..found };
     let exact = chosen(&all, &|names, _| names.contains(&wanted));
     if !exact.is_empty() {
-        return Ok(with_terms(exact));
+        return Ok(with_checks(with_terms(exact)));
     }
     let by_name = chosen(&all, &|names, _| names.iter().any(|name| name.to_lowercase() == small));
     if !by_name.is_empty() {
-        return Ok(with_terms(by_name));
+        return Ok(with_checks(with_terms(by_name)));
     }
-    let spelled = folded(wanted);
     let by_spelling = chosen(&all, &|names, _| names.iter().any(|name| folded(name) == spelled));
     if !by_spelling.is_empty() {
-        return Ok(by_spelling);
+        return Ok(with_checks(by_spelling));
     }
     let by_word = by_word();
     if !by_word.is_empty() {
-        return Ok(by_word);
+        return Ok(with_checks(by_word));
+    }
+    let by_words = with_checks(chosen(&all, &|names, _| names.iter().any(|name| has_words(name, &small))));
+    if !by_words.is_empty() {
+        return Ok(by_words);
     }
     let found = chosen(&all, &|_, texts| texts.iter().any(|text| text.to_lowercase().contains(&small)));
     if found.is_empty() { Err(nearest(&all, wanted)) } else { Ok(found) }
+}
+
+/// Returns `true` if every one of several words is a word of a name.
+fn has_words(name: &str, wanted: &str) -> bool {
+    let words = |text: &str| -> Vec<String> {
+        text.to_lowercase().split(|sign: char| !sign.is_alphanumeric()).map(str::to_owned).collect()
+    };
+    let of_name = words(name);
+    words(wanted).iter().all(|word| of_name.contains(word))
+}
+
+/// Returns the checks whose identifier, or title in one of the languages, has a spelling.
+fn checks_titled(spelled: &str) -> Vec<GlossaryCheck> {
+    let check = |id: &CheckId| GlossaryCheck {
+        id: id.id().to_owned(),
+        en: check_title(*id, Language::En),
+        de: check_title(*id, Language::De),
+    };
+    let is_named = |check: &GlossaryCheck| [&check.id, &check.en, &check.de].iter().any(|name| folded(name) == spelled);
+    CheckId::ALL.iter().map(check).filter(is_named).collect()
 }
 
 /// Returns the meaning of a symbol, with its unit and remark; `None` for a symbol outside the glossary.
@@ -102,6 +130,7 @@ fn whole(language: Language) -> Glossary {
                 de: de.to_owned(),
             })
             .collect(),
+        checks: Vec::new(),
     }
 }
 
@@ -159,7 +188,10 @@ const NEAREST: usize = 3;
 fn nearest(all: &Glossary, wanted: &str) -> Vec<String> {
     let names = all.words.iter().flat_map(|word| [&word.en, &word.de]);
     let names = names.chain(all.terms.iter().flat_map(|term| [&term.symbol, &term.identifier, &term.en, &term.de]));
+    let titles: Vec<String> =
+        CheckId::ALL.iter().flat_map(|id| Language::ALL.map(|language| check_title(*id, language))).collect();
     let mut rated: Vec<(f64, &String)> = names
+        .chain(&titles)
         .chain(all.symbols.iter().map(|symbol| &symbol.symbol))
         .map(|name| (strsim::jaro_winkler(&name.to_lowercase(), &wanted.to_lowercase()), name))
         .filter(|(likeness, _)| *likeness > 0.75)
@@ -183,6 +215,20 @@ mod tests {
         let losses = glossary(Some("P_0"), Language::En).unwrap();
         assert_eq!(losses.symbols.len(), 2, "{losses:?}");
         assert!(glossary(Some("demagnetisation"), Language::En).unwrap().terms.len() == 1);
+    }
+
+    /// The title of every check, in every language, leads to that check, and to no symbol that only mentions it.
+    #[test]
+    fn every_check_is_found_by_its_title() {
+        for id in CheckId::ALL {
+            for name in [id.id().to_owned(), check_title(*id, Language::En), check_title(*id, Language::De)] {
+                let found = glossary(Some(&name), Language::En).unwrap();
+                assert!(found.checks.iter().any(|check| check.id == id.id()), "{name}: {found:?}");
+            }
+        }
+        let symbols = |found: Glossary| found.terms.into_iter().map(|term| term.symbol).collect::<Vec<_>>();
+        assert_eq!(symbols(glossary(Some("mean speed"), Language::En).unwrap()), ["n_av"]);
+        assert!(glossary(Some("peak speed"), Language::En).unwrap().symbols.iter().any(|each| each.symbol == "n_peak"));
     }
 
     #[test]

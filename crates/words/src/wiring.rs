@@ -69,6 +69,9 @@ texts! {
         "{code} has no such connector; it has {roles}"
         | "{code} hat keinen solchen Stecker; es gibt {roles}";
     no_pins_to_draw = "the pins of this connector are not stated for this ordering code" | "die Stifte dieses Steckers sind für diese Bestellbezeichnung nicht angegeben";
+    drive_values =
+        "Values and encoder settings for the servo drive"
+        | "Werte und Gebereinstellungen für den Servoregler";
     agrees(rows) = "{rows} rows agree with the manual" | "{rows} Zeilen stimmen mit der Anleitung überein";
     differs(agreeing, rows) =
         "{agreeing} of {rows} rows agree with the manual"

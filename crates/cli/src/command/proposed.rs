@@ -6,7 +6,7 @@ use super::example::filled;
 use super::folder::{RECORDINGS, axes_of, has_ending, kind_in_place_of_a_file, projects_in, text_of};
 use super::meant::Called;
 use super::own::{VARY, is_of_several};
-use super::spoken::option_meant;
+use super::spoken::{option_meant, twin_options};
 use super::typed::{number_and_unit, typed};
 use super::unknown;
 use crate::changed::{accepted, factor, keys, with_units};
@@ -75,11 +75,15 @@ const TABLE: &str = "tasks.csv";
 const ANSWERS: &str = "best.csv";
 
 /// Returns `true` if an option may be proposed for an unknown one. A field of the title page takes any text, so that a figure
-/// would be lost in it: its name must begin alike.
+/// would be lost in it: its name must begin alike. `name` and `option` may have hyphens in front.
 pub(super) fn may_mean(name: &str, option: &str) -> bool {
     /// Letters that both names must share.
     const ALIKE: usize = 3;
     let [name, option] = [name, option].map(|text| text.trim_start_matches('-'));
+    // The option of another command is no slip of letters.
+    if name != option && LIST.iter().any(|entry| entry.arguments.iter().any(|argument| argument.name == name)) {
+        return false;
+    }
     let shared = name.chars().zip(option.chars()).take_while(|(one, other)| one == other).count();
     shared >= ALIKE || !TITLE_PAGE.iter().any(|field| field.name == option)
 }
@@ -161,6 +165,9 @@ impl Called<'_> {
     pub(super) fn other_command(&self, word: &str) -> Option<String> {
         let project = self.projects.first()?.to_str()?;
         let takes = |entry: &Entry| {
+            if self.entry.is_none_or(|own| own.reads != entry.reads) {
+                return None;
+            }
             let of_others =
                 |argument: &&Argument| OTHER_COMMANDS.contains(&(entry.command, argument.name)) && argument.takes(word);
             let option = format!("--{}", entry.arguments.iter().find(of_others)?.name);
@@ -332,19 +339,31 @@ impl Called<'_> {
         calls.map(|call| if lacks_days(&call) { format!("{call} --days 1") } else { call }).collect()
     }
 
-    /// Returns the call of the only other command that has an unknown option, with all words of the call.
+    /// Returns the call of the only other command that has an unknown option, by its own name or by another for it, with all words of
+    /// the call.
     fn with_command_of_option(&self, name: &str, arguments: &[OsString]) -> Option<String> {
         let whole = super::build(self.language());
-        let long = name.replace('_', "-");
-        let has = |command: &&Command| command.get_arguments().any(|argument| argument.get_long() == Some(&long));
-        let mut others = whole.get_subcommands().filter(has);
-        let other = others.next().filter(|_| others.next().is_none() && self.entry.is_some())?;
-        let words = [super::NAME, other.get_name()].into_iter().map(OsString::from);
-        // A stop needs its scenario.
-        let of_scenario = effects::needs(other.get_name(), &long).contains(&"scenario");
-        let scenario = ["--scenario", "emergency_stop"].into_iter().filter(|_| of_scenario).map(OsString::from);
-        let words: Vec<OsString> = words.chain(arguments.iter().skip(self.begin).cloned()).chain(scenario).collect();
-        filled(&words, &Called::of(&words, &whole, self.language())?)
+        let written = name.replace('_', "-");
+        let own = std::iter::once(written.as_str());
+        own.chain(twin_options(&written).iter().copied()).find_map(|long| {
+            let has = |command: &&Command| command.get_arguments().any(|argument| argument.get_long() == Some(long));
+            let mut others = whole.get_subcommands().filter(has);
+            let other = others.next().filter(|_| others.next().is_none() && self.entry.is_some())?;
+            let words = [super::NAME, other.get_name()].into_iter().map(OsString::from);
+            // A stop needs its scenario.
+            let of_scenario = effects::needs(other.get_name(), long).contains(&"scenario");
+            let scenario = ["--scenario", "emergency_stop"].into_iter().filter(|_| of_scenario).map(OsString::from);
+            let named = arguments.iter().skip(self.begin).map(|word| {
+                match word.to_str().and_then(|word| word.strip_prefix("--")) {
+                    Some(option) if option.split('=').next() == Some(&*written) => {
+                        OsString::from(format!("--{}", option.replacen(&written, long, 1)))
+                    }
+                    _ => word.clone(),
+                }
+            });
+            let words: Vec<OsString> = words.chain(named).chain(scenario).collect();
+            filled(&words, &Called::of(&words, &whole, self.language())?)
+        })
     }
 
     /// Returns the call of the only other command that has an option with the value which an unknown option names: `wiring CODE
@@ -363,11 +382,15 @@ impl Called<'_> {
             let word = of_words.filter_map(|argument| Some((argument.name, argument.word(name)?))).next()?;
             Some((entry.command(), word))
         };
-        let mut found: Vec<(&str, (&str, &str))> =
-            LIST.iter().filter(|entry| entry.option().is_none()).filter_map(takes).collect();
+        // A question about an actuator is not answered by one about a project, nor the other way round.
+        let own = self.entry?;
+        let is_akin = |entry: &&&'static Entry| entry.option().is_none() && entry.reads == own.reads;
+        let mut found: Vec<(&str, (&str, &str))> = LIST.iter().filter(is_akin).filter_map(takes).collect();
         found.dedup();
         let [(command, (option, value))] = found[..] else { return None };
-        self.entry.filter(|entry| entry.command() != command)?;
+        if own.command() == command {
+            return None;
+        }
         let kept = |(at, _): &(usize, &OsString)| *at >= self.begin && !(place..behind).contains(at);
         let kept = arguments.iter().enumerate().filter(kept).map(|(_, word)| word.clone());
         let words = [super::NAME].into_iter().chain(command.split(' ')).map(OsString::from);

@@ -260,20 +260,29 @@ impl Call<'_> {
         self.called.first.first().is_some_and(|word| has_ending(word, &RECORDINGS)) && self.called.has("set")
     }
 
-    /// Returns the call with `*` in place of each field of a code that is unreadable as a whole: `CHA-25A-100-H-?`; `None` if no
-    /// code is the better for it.
+    /// Returns the call with `*` in place of what is unreadable or missing at the end of a field of a code: `CHA-25A-100-H-?`,
+    /// `CHA-25A-1?0-H-M`; `None` if no code is the better for it.
     fn with_any_fields(&self, language: Language) -> Option<String> {
-        let is_unreadable = |field: &str| !field.is_empty() && field.chars().all(|sign| "?#_".contains(sign));
+        let is_pattern = |text: &str| questions::list::code_list::read_pattern(text, language).is_ok();
+        // Several letters that cannot be read, at the end of a field or in all of it, are any number of them.
+        let any_letters = |field: &str| {
+            let known = field.trim_end_matches(['?', '#', '_']);
+            match field.len() - known.len() {
+                0 => field.to_owned(),
+                1 if !known.is_empty() => field.to_owned(),
+                _ => format!("{known}*"),
+            }
+        };
         let any = |word: &str| -> String {
-            let fields: Vec<&str> =
-                word.split('-').map(|field| if is_unreadable(field) { "*" } else { field }).collect();
-            fields.join("-")
+            let text = word.split('-').map(any_letters).collect::<Vec<_>>().join("-");
+            // A field that ends in the middle of its word.
+            let begun = || Some(format!("{text}*")).filter(|begun| word.contains(['?', '*', '…']) && is_pattern(begun));
+            if is_pattern(&text) { text } else { begun().unwrap_or(text) }
         };
         let mut is_changed = false;
         let words = self.arguments.iter().map(|word| {
-            let changed = word.to_str().filter(|text| seems_code(text)).map(any).filter(|text| {
-                questions::list::code_list::read_pattern(text, language).is_ok() && *word != text.as_str()
-            });
+            let changed = word.to_str().filter(|text| seems_code(text)).map(any);
+            let changed = changed.filter(|text| is_pattern(text) && *word != text.as_str());
             is_changed |= changed.is_some();
             changed.map_or_else(|| word.clone(), OsString::from)
         });

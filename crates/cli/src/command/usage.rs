@@ -1,10 +1,11 @@
 //! Calls that the command-line library rejects, as faults like all others.
 
 use super::example::{filled, simulated_run};
-use super::folder::projects_in;
+use super::folder::{has_ending, projects_in};
+use super::kind::kind;
 use super::meant::{Called, Stray};
 use super::proposed::may_mean;
-use super::spoken::option_meant;
+use super::spoken::{option_meant, seems_code};
 use super::typed::typed;
 use crate::answer::{CommandAnswer, written};
 use answers::{Fault, Faults};
@@ -13,6 +14,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use project::{Hint, nearest_name};
 use quantities::{Language, seen};
 use questions::list::new::kind_about;
+use questions::list::{Argument, ArgumentKind, Entry, LIST, Reads};
 use std::error::Error as _;
 use std::ffi::OsString;
 use std::path::Path;
@@ -165,11 +167,56 @@ fn first_calls(error: &clap::Error, arguments: &[OsString]) -> Vec<String> {
         }
         (ErrorKind::InvalidSubcommand, [word, ..]) => {
             let meant = words::spoken::commands_meant(word);
+            if meant.is_empty() && !is_near {
+                let calls = calls_of_words(&words);
+                if !calls.is_empty() {
+                    return calls;
+                }
+            }
             let meant = if meant.is_empty() && !is_near { &MOST } else { meant };
             meant.iter().filter_map(|name| named(name)).collect()
         }
         _ => Vec::new(),
     }
+}
+
+/// Returns calls about the things that the words of a call without a command name: its projects, its code, the kind of a machine.
+fn calls_of_words(words: &[&str]) -> Vec<String> {
+    /// Commands about a code that show most.
+    const OF_A_CODE: [&str; 2] = ["code", "data"];
+    let projects: Vec<&str> =
+        words.iter().copied().filter(|word| has_ending(word, &[".toml"]) && Path::new(word).exists()).collect();
+    if let [first, ..] = projects[..] {
+        return vec![typed([super::NAME, "size"].into_iter().chain(projects)), typed([super::NAME, "report", first])];
+    }
+    if let Some(code) = words.iter().find(|word| seems_code(word)) {
+        let about =
+            |entry: &&Entry| entry.reads == Reads::Nothing && entry.arguments.iter().any(|each| each.name == "code");
+        let named = LIST.iter().copied().filter(about).filter_map(|entry| {
+            let of_words =
+                |argument: &&Argument| matches!(argument.kind, ArgumentKind::Word(_)) && argument.name != "code";
+            let (argument, word) = entry
+                .arguments
+                .iter()
+                .filter(of_words)
+                .find_map(|argument| words.iter().find_map(|word| Some((argument.name, argument.word(word)?))))?;
+            let words = [super::NAME].into_iter().chain(entry.command().split(' '));
+            let option = format!("--{argument}");
+            Some(typed(words.chain([*code, &option, word])))
+        });
+        let named: Vec<String> = named.take(1).collect();
+        let plain = || OF_A_CODE.map(|command| typed([super::NAME, command, code])).to_vec();
+        return if named.is_empty() { plain() } else { named };
+    }
+    // A sentence in quotation marks is one word.
+    let single: Vec<&str> =
+        words.iter().flat_map(|word| word.split([' ', ','])).filter(|word| !word.is_empty()).collect();
+    let found = (0..single.len()).find_map(|from| kind(single.get(from..)?)).map(|(kind, _)| kind);
+    let calls = |kind: String| {
+        let file = format!("{kind}.toml");
+        vec![typed([super::NAME, "new", &kind, "--out", &file]), typed([super::NAME, "size", &file])]
+    };
+    found.map(calls).unwrap_or_default()
 }
 
 /// Returns the call that creates the project of a call that lacks it, in a folder without projects.

@@ -51,20 +51,20 @@ fn a_value_for_one_call_is_that_of_a_file_which_states_it() {
 #[test]
 fn every_change_that_cannot_be_made_is_named_at_once() {
     let faulty = ["--set", "mss=3 kg", "--set", "nothing", "--scale", "load=0", "--scale", "nothing=2"];
-    let run = run(&[&["size", "examples/belt-axis.toml"], &faulty[..]].concat());
-    assert_eq!((run.code, run.out.as_str()), (2, ""));
-    assert_eq!(run.err.matches("error:").count(), 4, "{}", run.err);
+    let refused = run(&[&["size", "examples/belt-axis.toml"], &faulty[..]].concat());
+    assert_eq!((refused.code, refused.out.as_str()), (2, ""));
+    assert_eq!(refused.err.matches("error:").count(), 4, "{}", refused.err);
     for part in ["no key \"mss\"", "KEY=VALUE", "0.001 to 1000", "load, payload, time, distance"] {
-        assert!(run.err.contains(part), "{part}\n{}", run.err);
+        assert!(refused.err.contains(part), "{part}\n{}", refused.err);
     }
     // A key that several tables state leads to each of them; one that a single table states is that one.
     let several = run(&["size", "examples/two-axes.toml", "--scale", "supply=1.1"]);
-    for call in ["--scale axis[1].requirements.supply=1.1", "--scale axis[2].requirements.supply=1.1"] {
+    for call in ["axis[1].requirements.supply=1.1", "axis[2].requirements.supply=1.1"] {
         assert!(several.code == 2 && several.err.contains(call), "{}", several.err);
     }
     let of_belt = |change: [&str; 2]| run(&["size", "examples/belt-axis.toml", change[0], change[1], "--json"]);
     assert_eq!(of_belt(["--scale", "mass=2"]).out, of_belt(["--set", "mechanism.belt.mass=36 kg"]).out);
-    let several = crate::run::run(&["size", "examples/two-axes.toml", "--set", "load.inertia=2 kg m^2"]);
+    let several = run(&["size", "examples/two-axes.toml", "--set", "load.inertia=2 kg m^2"]);
     assert!(several.code == 2 && several.err.contains("axis[1].load.inertia"), "{}", several.err);
 }
 

@@ -9,7 +9,7 @@ use axis::AxisProject;
 use configurator::ProductId;
 use quantities::Length;
 use std::borrow::Cow;
-use words::{help, help::values, requests};
+use words::{help, help::values, requests, terminal};
 
 /// Pictures of a project, by their identifiers.
 pub const FIGURES: [&str; 6] = ["torque_speed", "cycle", "utilisation", "torsion", "bearing_load", "candidate_map"];
@@ -22,6 +22,9 @@ pub const THEME: Argument = Argument::option("theme", values::theme, help::theme
 pub const WIDTH: Argument = Argument::option("width", values::length, help::width);
 /// Height of a picture.
 pub const HEIGHT: Argument = Argument::option("height", values::length, help::height);
+
+/// The only picture with an abscissa to choose.
+const MAP: &str = "candidate_map";
 
 arguments! {
     /// Arguments of `plot`: axis, actuator, picture and its layout.
@@ -71,8 +74,12 @@ impl Args {
     /// Returns the axis to draw.
     ///
     /// # Errors
-    /// Faults of the project, several axes without a name.
+    /// Faults of the project, several axes without a name, an abscissa of a picture that has none to choose.
     pub fn drawn(&self, inquiry: &Inquiry<'_>) -> Result<AxisProject, Unanswered> {
+        if self.by.is_some() && self.figure.as_deref() != Some(MAP) {
+            let needed = format!("--figure {MAP}");
+            return Err(Unanswered::option("by", (terminal::no_effect_without(&needed, inquiry.language), None)));
+        }
         inquiry.axis(self.axis.as_deref(), Cost::Other).map(|(_, project)| project)
     }
 }
