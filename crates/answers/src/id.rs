@@ -9,7 +9,7 @@ use serde::{Serialize, Serializer};
 use sizing::{CheckId, Direction, Part, RunCheckId, Verdict};
 use std::borrow::Cow;
 use std::ops::Deref;
-use twin::{EventKind, Loop, Reaction, ScenarioId};
+use twin::{EventEffect, EventKind, Loop, MotionDirection, Reaction, ScenarioId};
 
 /// A type of the engine whose values have an identifier in data exchange.
 pub trait Identified: Copy + 'static {
@@ -77,7 +77,9 @@ identified! {
     LifeStep as "Step": &LifeStep::ALL;
     CheckId as "CheckId": CheckId::ALL;
     RunCheckId as "RunCheckId": &RunCheckId::ALL;
+    EventEffect as "EventEffect": &EventEffect::ALL;
     EventKind as "EventKind": &EventKind::ALL;
+    MotionDirection as "MotionDirection": &MotionDirection::ALL;
     Loop as "Loop": &Loop::ALL;
     Reaction as "Reaction": &Reaction::ALL;
     ScenarioId as "ScenarioId": &ScenarioId::ALL;

@@ -6,7 +6,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
 use sizing::{RunCheckId, Verdict};
 use std::borrow::Cow;
-use twin::{EventKind, Loop, Reaction, ScenarioId};
+use twin::{EventEffect, EventKind, Loop, MotionDirection, Reaction, ScenarioId};
 
 /// `simulate`: behaviour of the digital twin of an axis.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -21,6 +21,8 @@ pub struct Simulation {
     pub title: String,
     /// Instant of the event \[s\]; `null` if the whole run is the scenario.
     pub at: Option<Number>,
+    /// Choice of this instant as the worst one; `null` if it is stated or the scenario has none.
+    pub instant: Option<WorstInstant>,
     /// Reaction of the servo drive to a stop and to its own faults.
     pub reaction: Id<Reaction>,
     /// Number of cycles.
@@ -41,6 +43,8 @@ pub struct Simulation {
     pub summary: Figures,
     /// Figures of an operation over days with the mean losses of the cycle; `null` if no days are requested.
     pub averaged: Option<Figures>,
+    /// Temperatures over the first and the last day of this operation; empty if no days are requested.
+    pub days: Vec<DayOfOperation>,
     /// Figures with a limit.
     pub verdicts: Vec<SimulatedVerdict>,
     /// Events in chronological order.
@@ -61,6 +65,56 @@ pub struct Simulation {
     pub notes: Vec<String>,
     /// File of the recorded signals; `null` if none was written.
     pub trace: Option<String>,
+}
+
+/// Choice of the worst instant of an event.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct WorstInstant {
+    /// Id of the effect by which the worst instant is chosen.
+    pub effect: Id<EventEffect>,
+    /// Number of instants examined.
+    pub examined: u32,
+    /// Worst instant of every direction of motion, the chosen one first.
+    pub directions: Vec<WorstOfDirection>,
+    /// Choice as text.
+    pub title: String,
+}
+
+/// Worst instant of a direction of motion.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct WorstOfDirection {
+    /// Direction of the output at the instant.
+    pub direction: Id<MotionDirection>,
+    /// Instant \[s\].
+    pub at: Number,
+    /// Effect of the event at this instant.
+    pub value: Number,
+    /// Unit of the effect.
+    pub unit: &'static str,
+    /// `true` if the axis comes to rest within two seconds, or if the event does not stop it.
+    pub rests: bool,
+}
+
+/// Temperatures over a day of operation.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct DayOfOperation {
+    /// Number of the day, from one.
+    pub day: u32,
+    /// Temperatures at the beginning of the day and at the end of each hour.
+    pub hours: Vec<HourOfOperation>,
+}
+
+/// Temperatures at the end of an hour.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct HourOfOperation {
+    /// Time since the beginning of the day \[h\]; the operation begins at zero.
+    pub hour: u32,
+    /// Mean temperature of the winding over a cycle \[°C\].
+    pub winding: Number,
+    /// Highest temperature of the winding in this hour, within a cycle \[°C\].
+    pub winding_peak: Number,
+    /// Temperature of the housing \[°C\].
+    pub housing: Number,
 }
 
 /// Figures, written as an object by their identifiers.

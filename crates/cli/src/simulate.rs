@@ -37,13 +37,22 @@ pub(crate) fn simulate(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Command
     let fits = runs.iter().all(questions::Simulated::fits);
     let mut records: Vec<answers::Simulation> = runs.iter().map(|run| answer::simulation(run, language)).collect();
     if let (Some(file), Some(format), Some(run), Some(record)) = (file, format, runs.first(), records.first_mut()) {
-        match format {
-            Format::Parquet => {
+        match (format, args.days_of(run, language)?) {
+            (format, Some(days)) => {
+                let table = tables::days(days, language);
+                let bytes = if format == Format::Parquet {
+                    tables::parquet(&table)
+                } else {
+                    Ok(tables::csv(&table).into_bytes())
+                };
+                saver.save(&[(file, &bytes.map_err(|error| Unanswered::message(error.message(language)))?)])?;
+            }
+            (Format::Parquet, None) => {
                 let table = tables::trace(&run.course, &args.signals, language);
                 let bytes = tables::parquet(&table);
                 saver.save(&[(file, &bytes.map_err(|error| Unanswered::message(error.message(language)))?)])?;
             }
-            Format::Csv | Format::Json | Format::Workbook => saver.save_by(file, |to| {
+            (Format::Csv | Format::Json | Format::Workbook, None) => saver.save_by(file, |to| {
                 let mut to = BufWriter::new(to);
                 let refused = |error: &std::io::Error| Unanswered::message(file_trouble(error, language));
                 let rows = |rows: &str| to.write_all(rows.as_bytes());
@@ -63,6 +72,10 @@ pub(crate) fn simulate(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Command
         let text = |record: &answers::Simulation| {
             let text = shown(&chapter::simulation(record, language), language);
             match (&record.trace, runs.first()) {
+                (Some(file), Some(run)) if args.days_of(run, language).is_ok_and(|days| days.is_some()) => {
+                    let rows: usize = run.days().unwrap_or_default().iter().map(|day| day.points.len()).sum();
+                    format!("{text}\n{}\n", simulation::days_written(file, &rows, language))
+                }
                 (Some(file), Some(run)) => {
                     let every = quantities::format_significant(run.every_s() * 1e3, 4, language);
                     format!("{text}\n{}\n", simulation::trace_written(file, &run.course.len(), &every, language))

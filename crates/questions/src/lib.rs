@@ -100,7 +100,7 @@ pub use sizing::{Course, FlangeSample, Sample};
 pub use sizing_use::{course, course_rows, course_seen};
 pub use supply_power::{power_over_cycle, sum_of_known};
 pub use torsion::{TorsionCurve, torsion_of};
-pub use twin::{EventKind as TwinEvent, Sample as TwinSample};
+pub use twin::{EventKind as TwinEvent, PeriodCourse, Sample as TwinSample};
 
 #[cfg(test)]
 mod tests {

@@ -17,8 +17,8 @@ use order_code::OrderCode;
 use quantities::{ElectricPotential, Frequency, Measure, MomentOfInertia};
 use sizing::{CheckId, RunCase, RunCheck, RunCheckId, StepObserver as _, Verdict};
 use twin::{
-    Averaged, Event, EventKind, Failed, Fault, Gains, LoopResponse, Operation, Parameters, Part, Sample, Scenario,
-    ScenarioId, Setup, Summary, Supply, Twin,
+    Averaged, Event, EventKind, Failed, Fault, Gains, LoopResponse, Operation, Parameters, Part, PeriodCourse, Sample,
+    Scenario, ScenarioId, Setup, Summary, Supply, Twin, WorstInstant,
 };
 use words::{Word, simulation};
 
@@ -90,6 +90,8 @@ pub struct Simulated<'p> {
     pub seed: u64,
     /// The run in figures.
     pub summary: Summary,
+    /// Choice of the instant of the event; `None` if it is stated or the scenario has none.
+    pub worst: Option<WorstInstant>,
     /// Events of the run.
     pub events: Vec<Event>,
     /// Failure of the feedback.
@@ -162,8 +164,8 @@ pub(crate) fn simulate<'p>(
     let is_warm = wanted.scenario.starts_warm();
     let work = match part {
         // Its temperatures at the start are those of the sizing.
-        Some(_) => Work::of_part(),
-        None => Work::of_axis(project, wanted.scenario.cycles.max(1), is_warm, wanted.operation.is_some()),
+        Some(_) => Work::of_part(&scenario),
+        None => Work::of_axis(project, &scenario, wanted.operation.is_some()),
     };
     Work::within(&[work.with_run(twin.steps())], limit)?;
     let rows_every = wanted.every_s.map(|every| (every * twin::CURRENT_RATE_HZ).round().max(1.0));
@@ -192,6 +194,10 @@ pub(crate) fn simulate<'p>(
         None => None,
     };
     setup.start_k = start_k;
+    let worst = watched(progress, |goes_on| twin::worst_instant(&setup, goes_on))?;
+    if let Some(first) = worst.as_ref().and_then(|worst| worst.directions.first()) {
+        setup.scenario.at_s = Some(first.at_s);
+    }
     let mut twin = Twin::new(&setup)?;
     let start = twin.sample();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked above")]
@@ -223,6 +229,7 @@ pub(crate) fn simulate<'p>(
         part,
         seed,
         summary: twin.summary(),
+        worst,
         events: twin.events().to_vec(),
         failed: twin.failed(),
         course,
@@ -369,6 +376,13 @@ const FAULTS: [EventKind; 9] = [
 ];
 
 impl Simulated<'_> {
+    /// Returns the temperatures over the first and the last day of operation; `None` if no days are requested or the
+    /// actuator has no thermal model.
+    #[must_use]
+    pub fn days(&self) -> Option<&[PeriodCourse]> {
+        self.averaged.as_ref().map(|(_, found)| found.courses.as_slice())
+    }
+
     /// Returns `true` if the scenario is a cycle that must be completed.
     fn runs_through(&self) -> bool {
         matches!(self.scenario.id, ScenarioId::Cycle | ScenarioId::HotAmbient | ScenarioId::ColdGrease)

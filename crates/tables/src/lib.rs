@@ -35,6 +35,6 @@ pub use ical::calendar;
 pub use rows::Rows;
 pub use subject::Subject;
 pub use table::{Column, ColumnContent, Derived, Table};
-pub use trace::{trace, trace_csv};
+pub use trace::{days, trace, trace_csv};
 pub use xlsx::cover::Front;
 pub use xlsx::xlsx;

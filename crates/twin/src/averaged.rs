@@ -3,7 +3,7 @@
 use crate::machine::Machine;
 use crate::setup::{Fault, Setup};
 use crate::twin::Twin;
-use crate::warm::{AT_ONCE, settled};
+use crate::warm::settled;
 use crate::{Scenario, ScenarioId};
 use actuator::{HeatModel, Losses, Network, Temperatures};
 use quantities::{Measure, ThermodynamicTemperature};
@@ -19,9 +19,36 @@ pub struct Operation {
     pub running_s: f64,
 }
 
-/// Results of operation over days.
+/// Number of intervals between the points of a period: minutes of a day.
+pub const POINTS_OF_A_PERIOD: u32 = 1440;
+
+/// Temperatures at an instant of a period \[K\].
 #[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PeriodPoint {
+    /// Time since the beginning of the period \[s\].
+    pub time_s: f64,
+    /// Mean temperature of the winding over a cycle.
+    pub winding_k: f64,
+    /// Highest temperature of the winding within a cycle; the mean at rest.
+    pub winding_peak_k: f64,
+    /// Temperature of the housing.
+    pub housing_k: f64,
+}
+
+/// Course of the temperatures over one period.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeriodCourse {
+    /// Number of the period, from one.
+    pub number: u32,
+    /// Temperatures at equal intervals from beginning to end, [`POINTS_OF_A_PERIOD`] and one.
+    pub points: Vec<PeriodPoint>,
+}
+
+/// Results of operation over days.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Averaged {
+    /// Courses of the first and the last period; one course if they are the same.
+    pub courses: Vec<PeriodCourse>,
     /// Largest temperatures of winding and housing \[K\].
     pub peak_k: [f64; 2],
     /// Final temperatures of winding and housing \[K\].
@@ -42,6 +69,9 @@ pub struct Averaged {
     pub supplied_j: f64,
 }
 
+/// Periods of the current loop between two evaluations of the winding in a cycle: 10 ms.
+const LOOKED_AT: u64 = 160;
+
 /// Upper limit of a step \[s\], and as a share of the fast time constant.
 const STEP_S: f64 = 60.0;
 const STEP_SHARE: f64 = 0.25;
@@ -52,6 +82,8 @@ struct Node {
     housing_k: f64,
     /// Copper loss over the resistance \[A²\], heat in the housing \[W\], power of the supply \[W\].
     powers: [f64; 3],
+    /// Highest temperature of the winding within the cycle above its mean \[K\].
+    ripple_k: f64,
 }
 
 /// Mean powers as polynomials of the temperature of the housing.
@@ -71,20 +103,25 @@ impl Means {
         let rise = (housing - cold).max(3.0);
         // The second cycle is evaluated: the first begins with the DC link at the voltage of the supply.
         let scenario = Scenario { id: ScenarioId::Cycle, cycles: 2, ..setup.scenario };
-        let mut nodes = [Node { housing_k: cold, powers: [0.0; 3] }; 3];
+        let mut nodes = [Node { housing_k: cold, powers: [0.0; 3], ripple_k: 0.0 }; 3];
         let mut period_s = 0.0;
         for (node, share) in nodes.iter_mut().zip([0.0, 0.5, 1.0]) {
             let start_k = [cold + share * (hot - cold), cold + share * rise];
             let mut twin = Twin::untripped(&Setup { start_k: Some(start_k), scenario, ..*setup })?;
             let first = twin.periods() / 2;
+            // Sum, number and highest of the temperatures of the winding in the evaluated cycle.
+            let mut winding = [0.0, 0.0, f64::NEG_INFINITY];
             let mut run = |until: u64, twin: &mut Twin<'_>| {
+                winding = [0.0, 0.0, f64::NEG_INFINITY];
                 let mut left = until;
                 while left > 0 && !twin.is_over() {
                     if !goes_on() {
                         return None;
                     }
-                    twin.advance(left.min(AT_ONCE));
-                    left = left.saturating_sub(AT_ONCE);
+                    twin.advance(left.min(LOOKED_AT));
+                    left = left.saturating_sub(LOOKED_AT);
+                    let now = twin.sample().winding_k;
+                    winding = [winding[0] + now, winding[1] + 1.0, winding[2].max(now)];
                 }
                 let (losses, time) = (twin.losses(), twin.time_s());
                 let worked = [losses.copper_w * time, losses.friction_w * time, twin.summary().supplied_j];
@@ -93,13 +130,15 @@ impl Means {
             let Some((before, begin_s, begin)) = run(first, &mut twin) else { return Ok(None) };
             let Some((after, end_s, end)) = run(u64::MAX, &mut twin) else { return Ok(None) };
             period_s = end_s - begin_s;
+            let [sum, count, highest] = winding;
+            let ripple_k = (highest - sum / count.max(1.0)).max(0.0);
             let winding = f64::midpoint(begin.winding_k, end.winding_k);
             let mut powers = [0.0; 3];
             for (power, (after, before)) in powers.iter_mut().zip(after.iter().zip(before)) {
                 *power = (after - before) / period_s;
             }
             powers[0] /= machine.resistance_ohm(winding);
-            *node = Node { housing_k: f64::midpoint(begin.housing_k, end.housing_k), powers };
+            *node = Node { housing_k: f64::midpoint(begin.housing_k, end.housing_k), powers, ripple_k };
         }
         Ok(Some(Self { nodes, period_s }))
     }
@@ -107,14 +146,8 @@ impl Means {
     /// Returns mean losses and power of the supply \[W\] at temperatures, by Lagrange's polynomial through the three
     /// nodes.
     fn at(&self, machine: &Machine, winding_k: f64, housing_k: f64) -> (Losses, f64) {
-        let [a, b, c] = &self.nodes;
-        let weight = |own: &Node, one: &Node, two: &Node| {
-            (housing_k - one.housing_k) * (housing_k - two.housing_k)
-                / ((own.housing_k - one.housing_k) * (own.housing_k - two.housing_k))
-        };
-        let weights = [weight(a, b, c), weight(b, a, c), weight(c, a, b)];
         let mut powers = [0.0; 3];
-        for (node, weight) in self.nodes.iter().zip(weights) {
+        for (node, weight) in self.nodes.iter().zip(self.weights(housing_k)) {
             for (power, own) in powers.iter_mut().zip(node.powers) {
                 *power += weight * own;
             }
@@ -122,6 +155,22 @@ impl Means {
         let [square, friction_w, supplied] = powers;
         let copper_w = square * machine.resistance_ohm(winding_k);
         (Losses { copper_w: copper_w.max(0.0), friction_w: friction_w.max(0.0) }, supplied)
+    }
+
+    /// Returns Lagrange's weights of the three nodes.
+    fn weights(&self, housing_k: f64) -> [f64; 3] {
+        let [a, b, c] = &self.nodes;
+        let weight = |own: &Node, one: &Node, two: &Node| {
+            (housing_k - one.housing_k) * (housing_k - two.housing_k)
+                / ((own.housing_k - one.housing_k) * (own.housing_k - two.housing_k))
+        };
+        [weight(a, b, c), weight(b, a, c), weight(c, a, b)]
+    }
+
+    /// Returns the highest temperature of the winding within a cycle above its mean \[K\].
+    fn ripple_k(&self, housing_k: f64) -> f64 {
+        let weighted = self.nodes.iter().zip(self.weights(housing_k)).map(|(node, weight)| weight * node.ripple_k);
+        weighted.sum::<f64>().max(0.0)
     }
 }
 
@@ -160,6 +209,51 @@ impl<'a> Stride<'a> {
     }
 }
 
+/// Points of a period that a calculation by steps passes.
+struct Marked {
+    course: PeriodCourse,
+    period_s: f64,
+}
+
+impl Marked {
+    fn of(number: u32, period_s: f64, [winding_k, housing_k]: [f64; 2]) -> Self {
+        let first = PeriodPoint { time_s: 0.0, winding_k, winding_peak_k: winding_k, housing_k };
+        Self { course: PeriodCourse { number, points: vec![first] }, period_s }
+    }
+
+    /// Returns the time of the next point \[s\].
+    #[allow(clippy::cast_precision_loss, reason = "a thousand")]
+    fn next_s(&self) -> f64 {
+        self.period_s * self.course.points.len() as f64 / f64::from(POINTS_OF_A_PERIOD)
+    }
+
+    fn push(&mut self, time_s: f64, [winding_k, housing_k]: [f64; 2], ripple_k: f64) {
+        self.course.points.push(PeriodPoint { time_s, winding_k, winding_peak_k: winding_k + ripple_k, housing_k });
+    }
+
+    /// Adds the points within a step, whose state is that of constant losses since its beginning.
+    fn pass(&mut self, [from_s, until_s]: [f64; 2], ripple_k: impl Fn(f64) -> f64, state: impl Fn(f64) -> [f64; 2]) {
+        while self.next_s() <= until_s && !self.is_complete() {
+            let time_s = self.next_s();
+            let now = state((time_s - from_s).max(0.0));
+            self.push(time_s, now, ripple_k(now[1]));
+        }
+    }
+
+    const fn is_complete(&self) -> bool {
+        self.course.points.len() > POINTS_OF_A_PERIOD as usize
+    }
+
+    /// Returns the course with its last point, which the sum of the steps may miss by rounding.
+    fn finished(mut self, state: [f64; 2]) -> PeriodCourse {
+        if !self.is_complete() {
+            let ripple_k = self.course.points.last().map_or(0.0, |last| last.winding_peak_k - last.winding_k);
+            self.push(self.next_s(), state, ripple_k);
+        }
+        self.course
+    }
+}
+
 /// Computes temperatures and energies of operation over days from cold, from the mean losses of a cycle at the
 /// temperatures of each minute.
 ///
@@ -188,6 +282,7 @@ pub fn averaged(
     let running_s = operation.running_s.min(period_s).max(0.0);
     let mut state = setup.start_k.unwrap_or([setup.ambient_k; 2]);
     let mut found = Averaged {
+        courses: Vec::new(),
         peak_k: state,
         end_k: state,
         swing_k: [0.0; 2],
@@ -204,10 +299,12 @@ pub fn averaged(
         let step = if count > 0.0 { time / count } else { 0.0 };
         (count, step, runs, Stride::of(network, setup.ambient_k, step))
     });
-    for _ in 0..periods {
+    for number in 1..=periods {
         if !goes_on() {
             return Ok(None);
         }
+        let mut course = (number == 1 || number == periods).then(|| Marked::of(number, period_s, state));
+        let mut time_s = 0.0;
         let mut span = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
         for (count, step, runs, stride) in &parts {
             let mut left = *count;
@@ -223,6 +320,13 @@ pub fn averaged(
                     f64::midpoint(at(&state), at(&first))
                 });
                 let (losses, supplied) = of(middle);
+                if let Some(course) = &mut course {
+                    let ripple_k = |housing_k: f64| if *runs { means.ripple_k(housing_k) } else { 0.0 };
+                    course.pass([time_s, time_s + step], ripple_k, |since_s| {
+                        Stride::of(network, setup.ambient_k, since_s).step(state, losses)
+                    });
+                    time_s += step;
+                }
                 state = stride.step(state, losses);
                 found.lost_j[0] += losses.copper_w * step;
                 found.lost_j[1] += losses.friction_w * step;
@@ -236,6 +340,7 @@ pub fn averaged(
                 }
             }
         }
+        found.courses.extend(course.map(|course| course.finished(state)));
         found.end_k = state;
         found.swing_k = span.map(|[low, high]| high - low);
     }

@@ -25,7 +25,7 @@ mod summary;
 mod twin;
 mod warm;
 
-pub use averaged::{Averaged, Operation, averaged};
+pub use averaged::{Averaged, Operation, POINTS_OF_A_PERIOD, PeriodCourse, PeriodPoint, averaged};
 pub use bode::{LoopResponse, Margins, Response};
 pub use control::{CURRENT_RATE_HZ, Demand, Gains, POSITION_EVERY};
 pub use control_loop::Loop;
@@ -39,5 +39,8 @@ pub use plant::Energies;
 pub use scenario::{Event, EventKind, Failed, Part, Reaction, Scenario, ScenarioId};
 pub use setup::{Fault, SUBSTEPS_USUAL, Setup, Supply, Switches};
 pub use summary::Summary;
-pub use twin::{Reading, Sample, Twin};
+pub use twin::{
+    EXAMINED_S, EventEffect, INSTANTS_MOST, MotionDirection, Reading, Sample, Twin, WorstInstant, WorstOf,
+    worst_instant,
+};
 pub use warm::settled;

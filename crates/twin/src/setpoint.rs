@@ -118,16 +118,59 @@ impl<'a> Course<'a> {
         laws.chain(recorded).fold(0.0, f64::max)
     }
 
+    /// Returns beginning and duration of the first cycle, or of the part, as times of the motion \[s\].
+    fn first_cycle(&self) -> [f64; 2] {
+        if self.part.from_s > 0.0 {
+            [self.part.from_s, self.part.for_s]
+        } else {
+            [0.0, self.period_s.min(self.part.for_s)]
+        }
+    }
+
+    /// Returns the duration of the first cycle, or of the part \[s\].
+    pub(crate) fn first_cycle_s(&self) -> f64 {
+        self.first_cycle()[1]
+    }
+
     /// Returns the instant of the highest speed in the first cycle, or in the part \[s\].
     pub(crate) fn fastest_s(&self) -> f64 {
         let samples = 2000;
-        let (from, long) = if self.part.from_s > 0.0 {
-            (self.part.from_s, self.part.for_s)
-        } else {
-            (0.0, self.period_s.min(self.part.for_s))
-        };
+        let [from, long] = self.first_cycle();
         let instants = (0..=samples).map(|k| long * f64::from(k) / f64::from(samples));
         let speed = |time: f64| self.state(from + time)[1].abs();
         instants.fold((0.0, -1.0), |best, time| if speed(time) > best.1 { (time, speed(time)) } else { best }).0
     }
+
+    /// Returns the first instant at rest in the first cycle, or in the part; zero if there is none \[s\].
+    pub(crate) fn rest_s(&self) -> f64 {
+        self.instants().into_iter().find(|time| self.at(*time).state[1].abs() < 1e-9).unwrap_or(0.0)
+    }
+
+    /// Returns the instants of the first cycle, or of the part, at which the motion is examined \[s\]: those of
+    /// every segment, of the pieces of its law and of its recording, at most [`INSTANTS_MOST`] of each recording.
+    pub(crate) fn instants(&self) -> Vec<f64> {
+        let [from, long] = self.first_cycle();
+        let mut found = vec![0.0];
+        for stretch in self.motion.stretches() {
+            let (start, duration) = (stretch.start.si(), stretch.duration.si());
+            found.extend([0.0, 0.5, 1.0].map(|share| start + share * duration - from));
+        }
+        let pieces = self.motion.pieces();
+        let each = pieces.len().div_ceil(INSTANTS_MOST / 4).max(1);
+        for piece in pieces.iter().step_by(each) {
+            found.extend([0.0, 0.25, 0.5, 0.75, 1.0].map(|share| piece.start_s + share * piece.duration_s - from));
+        }
+        for placed in self.motion.recordings() {
+            let each = placed.intervals().div_ceil(INSTANTS_MOST).max(1);
+            let starts = (0..placed.intervals()).step_by(each).filter_map(|index| placed.interval(index));
+            found.extend(starts.map(|interval| interval.start_s - from));
+        }
+        found.retain(|time| (0.0..long).contains(time));
+        found.sort_by(f64::total_cmp);
+        found.dedup();
+        found
+    }
 }
+
+/// Largest number of instants of laws, and of each recording.
+const INSTANTS_MOST: usize = 20_000;

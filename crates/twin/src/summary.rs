@@ -109,6 +109,21 @@ impl Gathered {
         self.torque[0]
     }
 
+    /// Returns `true` if the axis has come to rest after the event.
+    pub(crate) const fn is_stopped(&self) -> bool {
+        self.stop.is_some()
+    }
+
+    /// Returns the largest distance from the place of the event so far \[rad\].
+    pub(crate) fn travel_rad(&self) -> f64 {
+        self.stop.map_or(self.stop_way, |(_, way)| way)
+    }
+
+    /// Returns the lowest DC link voltage so far \[V\].
+    pub(crate) const fn link_low_v(&self) -> f64 {
+        self.link[0]
+    }
+
     /// Evaluates the position, at the rate of the position loop.
     pub(crate) fn update(&mut self, time: f64, wanted: &[f64; 3], position: f64) {
         let [place, speed, acceleration] = *wanted;

@@ -6,6 +6,7 @@ mod reading;
 mod sample;
 mod start;
 mod supervision;
+mod worst;
 
 use crate::control::{
     Bounds, CURRENT_RATE_HZ, Control, Demand, Gains, Measured, POSITION_EVERY, POSITION_PERIOD_S, SPEED_EVERY,
@@ -30,6 +31,7 @@ use commanded::Commanded;
 pub use commanded::Reading;
 use reading::Encoder;
 pub use sample::Sample;
+pub use worst::{EXAMINED_S, EventEffect, INSTANTS_MOST, MotionDirection, WorstInstant, WorstOf, worst_instant};
 
 /// Duration of a period of the current loop \[s\].
 pub(crate) const PERIOD_S: f64 = 1.0 / CURRENT_RATE_HZ;
@@ -39,6 +41,12 @@ const SLOW_EVERY: u64 = 16;
 
 /// Duration of the run after the end of the motion \[s\].
 const AFTER_S: f64 = 0.5;
+
+/// Further duration of a run whose axis has not come to rest after an event, at most \[s\].
+pub(crate) const LONGER_S: f64 = 2.0;
+
+/// Periods by which such a run continues at once: 10 ms.
+const LONGER_BY: u64 = 160;
 
 /// Share to which the supply drops, and the duration of the drop \[s\].
 const SAG: (f64, f64) = (0.6, 0.2);
@@ -80,6 +88,8 @@ pub struct Twin<'a> {
     /// Periods of the run-up before the time 0; zero after it.
     run_up: u64,
     end_tick: u64,
+    /// Latest end of a run whose axis has not yet come to rest.
+    latest_tick: u64,
     happens_s: Option<f64>,
     happened: bool,
     slow: Slow,
@@ -282,7 +292,10 @@ impl<'a> Twin<'a> {
             clippy::cast_sign_loss,
             reason = "bounded by the caller's count of the work"
         )]
-        let end_tick = (end_s * CURRENT_RATE_HZ).round() as u64;
+        let [end_tick, latest_tick] = {
+            let longer_s = if scenario.has_instant() { LONGER_S } else { 0.0 };
+            [end_s, end_s + longer_s].map(|time| (time * CURRENT_RATE_HZ).round() as u64)
+        };
         let mut random = Random::new(setup.seed ^ 0x5eed);
         let phases = [(); 2].map(|()| TAU * random.uniform());
         let [accuracy_rad, step_rad] = machine.feedback_rad;
@@ -316,6 +329,7 @@ impl<'a> Twin<'a> {
             heat_trips: true,
             run_up: 0,
             end_tick,
+            latest_tick,
             happens_s,
             happened: false,
             slow: Slow::default(),
@@ -490,6 +504,9 @@ impl<'a> Twin<'a> {
         self.tick += 1;
         if self.tick.is_multiple_of(SLOW_EVERY) {
             self.supervise();
+        }
+        if self.tick == self.end_tick && self.runs_out() {
+            self.end_tick = (self.end_tick + LONGER_BY).min(self.latest_tick);
         }
     }
 

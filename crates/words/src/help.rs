@@ -68,8 +68,8 @@ texts! {
         "Scenario; default: that of the project, otherwise the cycle"
         | "Szenario; ohne Angabe das des Projekts, sonst der Zyklus";
     simulate_at =
-        "Time of the event, such as \"300 ms\"; default: at the highest speed of the axis"
-        | "Zeitpunkt des Ereignisses, etwa \"300 ms\"; ohne Angabe bei der höchsten Drehzahl der Achse";
+        "Time of the event, such as \"300 ms\"; default: the worst instant of the cycle, which the answer states"
+        | "Zeitpunkt des Ereignisses, etwa \"300 ms\"; ohne Angabe der ungünstigste Zeitpunkt des Zyklus, den die Antwort nennt";
     simulate_reaction =
         "Stop reaction of the drive; default: ramp" | "Stillsetzreaktion des Servoreglers; ohne Angabe ramp (Rampe)";
     simulate_failure =
@@ -80,8 +80,8 @@ texts! {
         "Start at ambient temperature instead of in thermal steady state"
         | "Start auf Umgebungstemperatur statt im thermischen Beharrungszustand";
     simulate_days =
-        "Additionally simulate this number of days with the mean losses of the cycle: temperatures, energy"
-        | "Zusätzlich diese Anzahl Tage mit den mittleren Verlusten des Zyklus rechnen: Temperaturen, Energie";
+        "Additionally simulate this number of days with the mean losses of the cycle: temperatures over the day, energy"
+        | "Zusätzlich diese Anzahl Tage mit den mittleren Verlusten des Zyklus rechnen: Temperaturen über den Tag, Energie";
     simulate_hours = "Operation per day in hours (24)" | "Betriebsstunden je Tag (24)";
     simulate_every =
         "Sampling interval of the trace (\"1 ms\")" | "Abtastintervall des Verlaufs (\"1 ms\")";
@@ -90,8 +90,8 @@ texts! {
         "Signals of the trace, separated by commas; default: all"
         | "Größen des Verlaufs, durch Komma getrennt; ohne Angabe alle";
     simulate_format =
-        "json for the summary (default), csv or parquet for the trace, svg for a picture"
-        | "json für die Zusammenfassung (Vorgabe), csv oder parquet für den Verlauf, svg für ein Bild";
+        "json for the summary (default), csv or parquet for the trace or the days, svg for a picture"
+        | "json für die Zusammenfassung (Vorgabe), csv oder parquet für den Verlauf oder die Tage, svg für ein Bild";
     simulate_seed =
         "Seed of the gear and encoder errors (0)" | "Startwert der Getriebe- und Geberfehler (0)";
     sweep =
@@ -148,7 +148,7 @@ texts! {
     simulate_figure =
         "Picture: the trace, or the frequency responses of the control loops (simulation)"
         | "Bild: der Verlauf oder die Frequenzgänge der Regelkreise (simulation)";
-    simulate_trace = "Write the trace as .csv or .parquet" | "Den Verlauf als .csv oder .parquet schreiben";
+    simulate_trace = "Write the trace as .csv or .parquet; with --days the temperatures over the first and the last day, unless --signals or --every request the trace" | "Den Verlauf als .csv oder .parquet schreiben; mit --days die Temperaturen über den ersten und den letzten Tag, außer --signals oder --every verlangen den Verlauf";
     code = "Read, list and complete ordering codes" | "Bestellbezeichnungen lesen, auflisten und ergänzen";
     code_parse = "Read an ordering code and explain each field" | "Eine Bestellbezeichnung lesen und jedes Feld erklären";
     code_example =

@@ -15,6 +15,23 @@ texts! {
     warm(winding, housing) =
         "warm, winding {winding} °C, housing {housing} °C" | "warm, Wicklung {winding} °C, Gehäuse {housing} °C";
     cold(ambient) = "cold, all parts at {ambient} °C" | "kalt, alle Teile auf {ambient} °C";
+    worst_instant(count, direction, effect, value) =
+        "Instant of the event: the worst of {count} examined over the cycle, {direction}, by the {effect} ({value})"
+        | "Zeitpunkt des Ereignisses: der ungünstigste von {count} im Zyklus untersuchten, {direction}, nach {effect} ({value})";
+    worst_elsewhere(direction, value, time) = "{direction}: {value} at {time} s" | "{direction}: {value} bei {time} s";
+    no_rest(value) = "{value} after 2 s, still moving" | "{value} nach 2 s, noch in Bewegung";
+    direction_positive = "in positive direction" | "in positiver Richtung";
+    direction_negative = "in negative direction" | "in negativer Richtung";
+    direction_standstill = "at standstill" | "im Stillstand";
+    effect_travel = "travel until standstill" | "Weg bis zum Stillstand";
+    effect_torque = "gear torque" | "Getriebemoment";
+    effect_link = "lowest DC link voltage" | "kleinster Zwischenkreisspannung";
+    effect_speed = "speed, since the event has no effect on the motion" | "Drehzahl, da das Ereignis die Bewegung nicht beeinflusst";
+    stop_missing =
+        "after the event the axis does not come to rest within this run: time and angle of the stop are not known"
+        | "nach dem Ereignis kommt die Achse in diesem Lauf nicht zum Stillstand: Anhaltezeit und Anhaltewinkel sind nicht bekannt";
+    stop_travel = "stopping distance" | "Anhalteweg";
+    steps_at(key) = "state the instant of the event ({key})" | "den Zeitpunkt des Ereignisses angeben ({key})";
     summary = "summary" | "Zusammenfassung";
     verdicts = "verdicts" | "Ergebnisse";
     events = "events" | "Ereignisse";
@@ -177,6 +194,9 @@ texts! {
     too_many_steps_besides(steps, besides, most) =
         "{steps} steps and up to {besides} for the temperatures at its start exceed the limit of {most}"
         | "{steps} Schritte und bis zu {besides} für die Temperaturen am Beginn überschreiten die Grenze von {most}";
+    too_many_steps_chosen(steps, besides, most) =
+        "{steps} steps and up to {besides} for the temperatures at its start and the worst instant of its event exceed the limit of {most}"
+        | "{steps} Schritte und bis zu {besides} für die Temperaturen am Beginn und den ungünstigsten Zeitpunkt des Ereignisses überschreiten die Grenze von {most}";
     steps_cycles(most, key) = "simulate at most {most} cycles ({key})" | "höchstens {most} Zyklen rechnen ({key})";
     steps_cold(key) = "start cold ({key})" | "kalt beginnen ({key})";
     steps_without_days = "leave out the days (--days)" | "die Tage weglassen (--days)";
@@ -213,6 +233,27 @@ texts! {
     averaged_about =
         "Cold start each day: mean losses of a cycle at the temperatures of each minute; within a cycle the winding temperature varies about this mean."
         | "Kaltstart an jedem Tag: mittlere Verluste eines Zyklus bei den Temperaturen jeder Minute; innerhalb eines Zyklus schwankt die Wicklungstemperatur um diesen Mittelwert.";
+    day_course(day) = "temperatures over day {day}" | "Temperaturen über Tag {day}";
+    day_course_about =
+        "Each row is the end of an hour; operation begins at 0 h. The highest winding temperature is that within a cycle, in the hour before."
+        | "Jede Zeile ist das Ende einer Stunde; der Betrieb beginnt bei 0 h. Die höchste Wicklungstemperatur ist die innerhalb eines Zyklus in der Stunde davor.";
+    hour_h = "time h" | "Zeit h";
+    winding_mean = "winding °C" | "Wicklung °C";
+    winding_in_the_hour = "winding, highest °C" | "Wicklung, höchste °C";
+    housing_then = "housing °C" | "Gehäuse °C";
+    day_number = "day" | "Tag";
+    day_number_about = "number of the day of operation: the first and the last" | "Nummer des Betriebstags: der erste und der letzte";
+    days_table = "temperatures over the day" | "Temperaturen über den Tag";
+    days_table_about = "one row per minute of the first and the last day; operation begins at 0 h" | "eine Zeile je Minute des ersten und des letzten Tages; der Betrieb beginnt bei 0 h";
+    hour_about = "time since the beginning of the day; operation begins at zero" | "Zeit seit Beginn des Tages; der Betrieb beginnt bei null";
+    winding_mean_about = "mean over a cycle of the motion" | "Mittelwert über einen Bewegungszyklus";
+    winding_highest = "winding, highest" | "Wicklung, höchste";
+    winding_highest_about = "highest within a cycle of the motion" | "höchste innerhalb eines Bewegungszyklus";
+    housing_about = "follows the mean losses of the cycle" | "folgt den mittleren Verlusten des Zyklus";
+    no_days =
+        "the actuator has no thermal model: there is no course of the temperatures over a day"
+        | "der Antrieb hat kein thermisches Modell: ein Verlauf der Temperaturen über einen Tag ist nicht möglich";
+    days_written(file, rows) = "{file}: {rows} rows, one per minute of the first and the last day" | "{file}: {rows} Zeilen, eine je Minute des ersten und des letzten Tages";
     days = "days" | "Tage";
     operation = "operating time" | "Betriebszeit";
     cycles = "motion cycles" | "Bewegungszyklen";

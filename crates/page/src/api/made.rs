@@ -131,12 +131,22 @@ fn simulated(inquiry: &Inquiry<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> 
     };
     let (_, project) = inquiry.axis(args.axis.as_deref(), Cost::Other)?;
     let run = args.simulated(&project, inquiry, true)?;
-    let (media, bytes) = match format {
-        Format::Parquet => {
+    let (media, bytes) = match (format, args.days_of(&run, language)?) {
+        (format, Some(days)) => {
+            let table = tables::days(days, language);
+            match format {
+                Format::Parquet => {
+                    let bytes = tables::parquet(&table);
+                    (media::PARQUET, bytes.map_err(|error| Unanswered::message(error.message(language)))?)
+                }
+                Format::Csv | Format::Json | Format::Workbook => (media::CSV, tables::csv(&table).into_bytes()),
+            }
+        }
+        (Format::Parquet, None) => {
             let bytes = tables::parquet(&tables::trace(&run.course, &args.signals, language));
             (media::PARQUET, bytes.map_err(|error| Unanswered::message(error.message(language)))?)
         }
-        Format::Csv | Format::Json | Format::Workbook => {
+        (Format::Csv | Format::Json | Format::Workbook, None) => {
             let mut bytes = Vec::new();
             let rows = |rows: &str| {
                 bytes.extend_from_slice(rows.as_bytes());

@@ -2,17 +2,20 @@
 
 use crate::simulate::{COMPARED, Shown, Simulated};
 use answers::{
-    Compared, ControlLoop, EncoderFailure, Figure, Figures, Id, ModelParameter, Number, SimulatedEvent,
-    SimulatedVerdict, Simulation,
+    Compared, ControlLoop, DayOfOperation, EncoderFailure, Figure, Figures, HourOfOperation, Id, ModelParameter,
+    Number, SimulatedEvent, SimulatedVerdict, Simulation, WorstInstant, WorstOfDirection,
 };
 use feedback::Failure;
 use quantities::unit::{
-    AMPERE, ARCMINUTE, DEGREE, DEGREE_CELSIUS, HERTZ, HOUR, JOULE, KELVIN_DIFFERENCE, NEWTON_METRE, ONE,
+    AMPERE, ARCMINUTE, DEGREE, DEGREE_CELSIUS, HERTZ, HOUR, JOULE, KELVIN_DIFFERENCE, MILLIMETRE, NEWTON_METRE, ONE,
     REVOLUTION_PER_MINUTE, SECOND, VOLT, WATT_HOUR,
 };
 use quantities::{Language, Measure, Unit, format_significant};
 use sizing::{CheckId, RunCheck};
-use twin::{Averaged, Failed, Gains, LoopResponse, Operation, Parameter, ScenarioId};
+use twin::{
+    Averaged, EventEffect, EventKind, Failed, Gains, LoopResponse, MotionDirection, Operation, POINTS_OF_A_PERIOD,
+    Parameter, PeriodCourse, ScenarioId, WorstOf,
+};
 use words::{Word, check_title, schema_text, short_label, simulation, source_text};
 
 /// Returns a run.
@@ -24,7 +27,8 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Simulation {
         code: run.candidate.id.to_string(),
         scenario: Id(run.scenario.id),
         title: simulation::scenario_title(run.scenario.id, language),
-        at: run.events.iter().find(|event| event.kind == twin::EventKind::Scenario).map(|event| Number(event.time_s)),
+        at: run.events.iter().find(|event| event.kind == EventKind::Scenario).map(|event| Number(event.time_s)),
+        instant: run.worst.as_ref().map(|worst| worst_instant(worst, language)),
         reaction: Id(run.scenario.reaction),
         cycles: run.scenario.cycles.max(1),
         seed: run.seed,
@@ -35,6 +39,7 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Simulation {
         start: run.start_k.map(celsius),
         summary: Figures(figures(run, language)),
         averaged: run.averaged.as_ref().map(|(operation, found)| Figures(averaged(operation, found, language))),
+        days: run.averaged.iter().flat_map(|(_, found)| &found.courses).map(day).collect(),
         verdicts: run.checks().into_iter().map(|check| verdict(check, language)).collect(),
         events: run.events.iter().map(|event| happened(event, language)).collect(),
         encoder_failure: run.failed.as_ref().map(|failed| encoder_failure(failed, language)),
@@ -46,6 +51,43 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Simulation {
         notes: notes(run, language),
         trace: None,
     }
+}
+
+fn worst_instant(worst: &twin::WorstInstant, language: Language) -> WorstInstant {
+    let (unit, effect) = match worst.effect {
+        EventEffect::Travel => (&DEGREE, simulation::effect_travel(language)),
+        EventEffect::Torque => (&NEWTON_METRE, simulation::effect_torque(language)),
+        EventEffect::Link => (&VOLT, simulation::effect_link(language)),
+        EventEffect::Speed => (&REVOLUTION_PER_MINUTE, simulation::effect_speed(language)),
+    };
+    let direction = |each: &WorstOf| match each.direction {
+        MotionDirection::Positive => simulation::direction_positive(language),
+        MotionDirection::Negative => simulation::direction_negative(language),
+        MotionDirection::Standstill => simulation::direction_standstill(language),
+    };
+    let value = |each: &WorstOf| {
+        let number = format_significant(unit.from_si(each.value), 4, language);
+        let gap = if unit.symbol_in(language) == "°" { "" } else { "\u{a0}" };
+        let value = format!("{number}{gap}{}", unit.symbol_in(language));
+        if each.rests { value } else { simulation::no_rest(&value, language) }
+    };
+    let mut parts = worst.directions.iter().enumerate().map(|(place, each)| match place {
+        0 => simulation::worst_instant(&worst.examined, &direction(each), &effect, &value(each), language),
+        _ => {
+            let time = format_significant(each.at_s, 4, language);
+            simulation::worst_elsewhere(&direction(each), &value(each), &time, language)
+        }
+    });
+    let first = parts.next().unwrap_or_default();
+    let title = parts.fold(first, |text, part| format!("{text}; {part}"));
+    let directions = worst.directions.iter().map(|each| WorstOfDirection {
+        direction: Id(each.direction),
+        at: Number(each.at_s),
+        value: Number::in_unit(each.value, unit),
+        unit: unit.json,
+        rests: each.rests,
+    });
+    WorstInstant { effect: Id(worst.effect), examined: worst.examined, directions: directions.collect(), title }
 }
 
 fn encoder_failure(failed: &Failed, language: Language) -> EncoderFailure {
@@ -85,8 +127,10 @@ fn figures(run: &Simulated<'_>, language: Language) -> Vec<Figure> {
     let with_heat = s.winding_peak_k > 0.0;
     let warm = |si: f64| with_heat.then_some(si);
     let [blocked, free] = run.resonance.map_or([None; 2], |both| both.map(|frequency| Some(frequency.si())));
+    let travel = run.project.axis.mechanism.travel_m_per_rad();
+    let along = |angle: f64| travel.map(|travel| angle * travel.abs());
     let [at_rest, in_motion] = s.brake_closings.map(|count| Some(f64::from(count)));
-    let all: [(&'static str, Word, Option<f64>, &'static Unit); 33] = [
+    let all: [(&'static str, Word, Option<f64>, &'static Unit); 34] = [
         ("following_peak", simulation::following_peak, Some(s.following_peak_rad), &ARCMINUTE),
         ("following_rms", simulation::following_rms, Some(s.following_rms_rad), &ARCMINUTE),
         ("settling", simulation::settling, s.settling_s, &SECOND),
@@ -118,6 +162,7 @@ fn figures(run: &Simulated<'_>, language: Language) -> Vec<Figure> {
         ("resonance_free", simulation::resonance_free, free, &HERTZ),
         ("stop_time", simulation::stop_time, s.stop_s, &SECOND),
         ("stop_angle", simulation::stop_angle, s.stop_rad, &DEGREE),
+        ("stop_travel", simulation::stop_travel, s.stop_rad.and_then(along), &MILLIMETRE),
         ("brake_rest", simulation::brake_rest, at_rest, &ONE),
         ("brake_moving", simulation::brake_moving, in_motion, &ONE),
     ];
@@ -145,6 +190,28 @@ fn averaged(operation: &Operation, found: &Averaged, language: Language) -> Vec<
     ];
     laid(&all, language)
 }
+
+/// Returns a day by its hours.
+fn day(course: &PeriodCourse) -> DayOfOperation {
+    let celsius = |kelvin: f64| Number::in_unit(kelvin, &DEGREE_CELSIUS);
+    let each = (POINTS_OF_A_PERIOD / HOURS) as usize;
+    let hour = |hour: u32| {
+        let end = hour as usize * each;
+        let point = course.points.get(end)?;
+        let since = if hour == 0 { 0 } else { end - each + 1 };
+        let peak = course.points.get(since..=end)?.iter().map(|point| point.winding_peak_k).fold(0.0, f64::max);
+        Some(HourOfOperation {
+            hour,
+            winding: celsius(point.winding_k),
+            winding_peak: celsius(peak),
+            housing: celsius(point.housing_k),
+        })
+    };
+    DayOfOperation { day: course.number, hours: (0..=HOURS).filter_map(hour).collect() }
+}
+
+/// Hours of a day.
+const HOURS: u32 = 24;
 
 fn laid(all: &[(&'static str, Word, Option<f64>, &'static Unit)], language: Language) -> Vec<Figure> {
     let figure = |(id, title, si, unit): &(&'static str, Word, Option<f64>, &'static Unit)| Figure {
@@ -263,6 +330,11 @@ fn notes(run: &Simulated<'_>, language: Language) -> Vec<String> {
     notes.extend(run.candidate.how_named(language));
     if let Some(volt) = run.supply_assumed_v {
         notes.push(simulation::supply_assumed(&format_significant(volt, 3, language), language));
+    }
+    let is_stop =
+        matches!(run.scenario.id, ScenarioId::PowerFailure | ScenarioId::EmergencyStop | ScenarioId::HangingLoad);
+    if is_stop && run.summary.stop_s.is_none() {
+        notes.push(simulation::stop_missing(language).to_owned());
     }
     let volt = |volt: f64| format_significant(volt, 3, language);
     if run.supply.most_v > run.supply.least_v {

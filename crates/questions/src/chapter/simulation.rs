@@ -1,7 +1,7 @@
 //! A run of the digital twin as a chapter.
 
 use super::parts::{grid, significant, unit_shown};
-use answers::{Chapter, Column, Figures, Grade, ModelParameter, Number, Simulation};
+use answers::{Chapter, Column, DayOfOperation, Figures, Grade, ModelParameter, Number, Simulation};
 use quantities::Language;
 use words::{capitalised, grade_word, simulation, verdict_word};
 
@@ -19,6 +19,9 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
     let (time, step) = (number(Some(record.time)), number(Some(record.step)));
     let title = capitalised(&record.title);
     chapter.text(simulation::course(&title, &time, &start, &record.steps, &step, language));
+    if let Some(instant) = &record.instant {
+        chapter.text(instant.title.clone());
+    }
     let section = |chapter: &mut Chapter, title: &str| chapter.section(capitalised(title));
 
     let quantity = capitalised(simulation::quantity(language));
@@ -56,6 +59,7 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
         section(&mut chapter, simulation::averaged(language));
         figures(&mut chapter, averaged);
         chapter.text(simulation::averaged_about(language));
+        days(&mut chapter, &record.days, language);
     }
     section(&mut chapter, simulation::events(language));
     if record.events.is_empty() {
@@ -128,6 +132,29 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
     );
     chapter.points(record.notes.clone());
     chapter
+}
+
+/// Adds the temperatures over the first and the last day, hour by hour.
+fn days(chapter: &mut Chapter, days: &[DayOfOperation], language: Language) {
+    let number = |value: Number| significant(Some(value), 4, language);
+    for day in days {
+        chapter.section(capitalised(&simulation::day_course(&day.day, language)));
+        grid(
+            chapter,
+            &day.hours,
+            &[
+                (Column::numbers(capitalised(simulation::hour_h(language))), &|hour| hour.hour.to_string()),
+                (Column::numbers(capitalised(simulation::winding_mean(language))), &|hour| number(hour.winding)),
+                (Column::numbers(capitalised(simulation::winding_in_the_hour(language))), &|hour| {
+                    number(hour.winding_peak)
+                }),
+                (Column::numbers(capitalised(simulation::housing_then(language))), &|hour| number(hour.housing)),
+            ],
+        );
+    }
+    if !days.is_empty() {
+        chapter.text(simulation::day_course_about(language));
+    }
 }
 
 /// Largest number of events shown; the record has them all.

@@ -17,7 +17,7 @@ use configurator::ProductId;
 use feedback::Failure;
 use quantities::unit::HOUR;
 use quantities::{Language, Length, Measure, Time, format_significant};
-use twin::{CURRENT_RATE_HZ, Fault, Operation, Reaction, Scenario};
+use twin::{CURRENT_RATE_HZ, Fault, Operation, PeriodCourse, Reaction, Scenario};
 pub use twin::{Part, ScenarioId};
 use words::{Worded, help, help::values, simulation};
 
@@ -137,12 +137,7 @@ impl Args {
     /// Faults of the project; more steps than permitted without a time limit.
     pub fn axes(&self, inquiry: &Inquiry<'_>) -> Result<Vec<PlacedAxis>, Unanswered> {
         let axes = inquiry.axes(self.axis.as_deref(), Cost::Other)?;
-        let of = |(_, project): &PlacedAxis| {
-            let stated = &project.twin.scenario;
-            let scenario =
-                Scenario { id: self.scenario.unwrap_or(stated.id), cold: self.cold || stated.cold, ..*stated };
-            Work::of_axis(project, self.cycles(project), scenario.starts_warm(), self.days.is_some())
-        };
+        let of = |(_, project): &PlacedAxis| Work::of_axis(project, &self.scenario(project), self.days.is_some());
         let works: Vec<Work> = axes.iter().map(of).collect();
         Work::within(&works, StepLimit::of(inquiry.refuses_long))
             .map_err(|fault| Unanswered::message(fault.said(inquiry.language)))?;
@@ -151,6 +146,42 @@ impl Args {
 
     fn cycles(&self, project: &AxisProject) -> u32 {
         self.cycles.unwrap_or_else(|| project.twin.scenario.cycles.max(1))
+    }
+
+    /// Returns `true` if the table of the call is that of the days, not the trace of the cycle.
+    const fn tabulates_days(&self) -> bool {
+        self.days.is_some() && self.signals.is_empty() && self.every.is_none()
+    }
+
+    /// Returns the days of a run whose table is that of the days; `Ok(None)` if it is the trace of the cycle.
+    ///
+    /// # Errors
+    /// The actuator has no thermal model.
+    pub fn days_of<'r>(
+        &self,
+        run: &'r Simulated<'_>,
+        language: Language,
+    ) -> Result<Option<&'r [PeriodCourse]>, Unanswered> {
+        if !self.tabulates_days() {
+            return Ok(None);
+        }
+        match run.days() {
+            Some(days) => Ok(Some(days)),
+            None => Err(Unanswered::option("days", (simulation::no_days(language).to_owned(), None))),
+        }
+    }
+
+    /// Returns the scenario of the call, else that of the project.
+    fn scenario(&self, project: &AxisProject) -> Scenario {
+        let stated = &project.twin.scenario;
+        Scenario {
+            id: self.scenario.unwrap_or(stated.id),
+            at_s: self.at.map(Time::si).or(stated.at_s),
+            reaction: self.reaction.unwrap_or(stated.reaction),
+            failure: self.failure.or(stated.failure),
+            cycles: self.cycles(project),
+            cold: self.cold || stated.cold,
+        }
     }
 
     /// Returns the run, with its course if that is written.
@@ -163,9 +194,8 @@ impl Args {
         inquiry: &Inquiry<'_>,
         with_course: bool,
     ) -> Result<Simulated<'p>, Unanswered> {
-        let stated = &project.twin.scenario;
         let every = self.every.map_or(ROWS_USUAL_S, Time::si);
-        let scenario = self.scenario.unwrap_or(stated.id);
+        let scenario = self.scenario(project).id;
         let hours = self.hours_per_day.map_or(24.0, |time| time.in_unit(&HOUR));
         let language = inquiry.language;
         let period_us = format_significant(1e6 / CURRENT_RATE_HZ, 4, language);
@@ -201,14 +231,7 @@ impl Args {
         let day = Time::new_in(24.0, &HOUR).si();
         let wanted = Wanted {
             operation: self.days.map(|periods| Operation { periods, period_s: day, running_s: hours / 24.0 * day }),
-            scenario: Scenario {
-                id: scenario,
-                at_s: self.at.map(Time::si).or(stated.at_s),
-                reaction: self.reaction.unwrap_or(stated.reaction),
-                failure: self.failure.or(stated.failure),
-                cycles: self.cycles(project),
-                cold: self.cold || stated.cold,
-            },
+            scenario: self.scenario(project),
             seed: self.seed as u64,
             every_s: with_course.then_some(every),
             part: None,

@@ -2,6 +2,7 @@
 
 use axis::AxisProject;
 use quantities::{Language, Measure};
+use twin::Scenario;
 use words::simulation;
 
 /// Largest number of steps if the call states no time limit: about ten seconds on one core.
@@ -11,6 +12,16 @@ pub(crate) const STEPS_MOST: u64 = 50_000_000;
 /// the settled state.
 const WARM_CYCLES: u64 = 8;
 const DAYS_CYCLES: u64 = 14;
+
+/// Largest number of steps after the instants that are examined for an event.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count")]
+const EXAMINED: u64 =
+    twin::INSTANTS_MOST as u64 * (twin::EXAMINED_S * twin::CURRENT_RATE_HZ) as u64 * twin::SUBSTEPS_USUAL as u64;
+
+/// Returns `true` if the instant of the event is chosen.
+const fn is_chosen(scenario: &Scenario) -> bool {
+    scenario.id.has_instant() && scenario.at_s.is_none()
+}
 
 const CYCLES: &str = "twin.cycles";
 const COLD: &str = "twin.cold";
@@ -46,11 +57,13 @@ pub(crate) struct Work {
     pub(crate) warm: bool,
     /// Operation over days is computed too.
     pub(crate) days: bool,
+    /// The instant of the event is chosen.
+    pub(crate) chosen: bool,
 }
 
 impl Work {
     /// Returns the work of an axis, known before the actuator is.
-    pub(crate) fn of_axis(project: &AxisProject, cycles: u32, warm: bool, days: bool) -> Self {
+    pub(crate) fn of_axis(project: &AxisProject, scenario: &Scenario, days: bool) -> Self {
         let duration_s = project.axis.motion.duration().si();
         let steps = duration_s * twin::CURRENT_RATE_HZ * f64::from(twin::SUBSTEPS_USUAL);
         #[allow(
@@ -59,12 +72,13 @@ impl Work {
             reason = "a count; beyond its range there are too many"
         )]
         let cycle = steps as u64;
-        Self { cycle, after: 0, cycles, warm, days }
+        let (cycles, warm) = (scenario.cycles.max(1), scenario.starts_warm());
+        Self { cycle, after: 0, cycles, warm, days, chosen: is_chosen(scenario) }
     }
 
     /// Returns the work of a part of the motion, whose steps are known with the actuator.
-    pub(crate) const fn of_part() -> Self {
-        Self { cycle: 0, after: 0, cycles: 1, warm: false, days: false }
+    pub(crate) const fn of_part(scenario: &Scenario) -> Self {
+        Self { cycle: 0, after: 0, cycles: 1, warm: false, days: false, chosen: is_chosen(scenario) }
     }
 
     /// Returns the work with the steps of its run as they are known with the actuator.
@@ -86,7 +100,8 @@ impl Work {
     fn besides(&self) -> u64 {
         let warm = if self.warm { WARM_CYCLES } else { 0 };
         let days = if self.days { DAYS_CYCLES } else { 0 };
-        self.cycle.saturating_mul(warm + days)
+        let chosen = if self.chosen { self.cycle.saturating_add(EXAMINED) } else { 0 };
+        self.cycle.saturating_mul(warm + days).saturating_add(chosen)
     }
 
     /// Returns the largest number of steps.
@@ -120,6 +135,8 @@ impl Work {
         let alone = [
             cycles(&|work| work).map(|most| Change { cycles: Some(most), ..Change::NONE }),
             (has_warm && within(&cold)).then_some(Change { cold: true, ..Change::NONE }),
+            (works.iter().any(|work| work.chosen) && within(&|work| Self { chosen: false, ..work }))
+                .then_some(Change { stated: true, ..Change::NONE }),
             (works.iter().any(|work| work.days) && within(&|work| Self { days: false, ..work }))
                 .then_some(Change { without_days: true, ..Change::NONE }),
             (works.len() > 1 && works.iter().all(|work| work.most() <= STEPS_MOST))
@@ -133,7 +150,8 @@ impl Work {
         // Where no time limit can be stated, the command line is the way for a run that nothing shortens.
         let has_way = limit == StepLimit::WithoutTimeLimit || changes.is_empty();
         changes.extend(has_way.then_some(Change { time_limit: true, ..Change::NONE }));
-        Err(TooManySteps { run: sum(&Self::run), besides: sum(&Self::besides), limit, changes })
+        let chosen = works.iter().any(|work| work.chosen);
+        Err(TooManySteps { run: sum(&Self::run), besides: sum(&Self::besides), chosen, limit, changes })
     }
 }
 
@@ -144,6 +162,8 @@ pub(crate) struct TooManySteps {
     run: u64,
     /// Largest number of steps of the cycles besides it.
     besides: u64,
+    /// Those of the choice of an instant are among them.
+    chosen: bool,
     limit: StepLimit,
     /// Changes, of which each suffices.
     changes: Vec<Change>,
@@ -155,21 +175,28 @@ struct Change {
     /// Largest number of cycles.
     cycles: Option<u32>,
     cold: bool,
+    /// The instant of the event is stated.
+    stated: bool,
     without_days: bool,
     one_axis: bool,
     time_limit: bool,
 }
 
 impl Change {
-    const NONE: Self = Self { cycles: None, cold: false, without_days: false, one_axis: false, time_limit: false };
+    const NONE: Self =
+        Self { cycles: None, cold: false, stated: false, without_days: false, one_axis: false, time_limit: false };
 
     fn said(self, limit: StepLimit, language: Language) -> String {
         // Without a call the project states them.
-        let [cycles, cold] =
-            if limit == StepLimit::Fixed { [CYCLES, "twin.cold = true"] } else { ["--cycles", "--cold"] };
+        let [cycles, cold, at] = if limit == StepLimit::Fixed {
+            [CYCLES, "twin.cold = true", "twin.at"]
+        } else {
+            ["--cycles", "--cold", "--at"]
+        };
         let of_cycles = self.cycles.map(|most| simulation::steps_cycles(&most, &cycles, language));
         let flags = [
             (self.cold, simulation::steps_cold(&cold, language)),
+            (self.stated, simulation::steps_at(&at, language)),
             (self.without_days, simulation::steps_without_days(language).to_owned()),
             (self.one_axis, simulation::steps_one_axis(language).to_owned()),
             (self.time_limit && limit == StepLimit::Fixed, simulation::steps_in_the_terminal(language).to_owned()),
@@ -211,6 +238,8 @@ impl TooManySteps {
         let [run, besides, most] = [self.run, self.besides, STEPS_MOST].map(grouped);
         let fault = if self.besides == 0 {
             simulation::too_many_steps(&run, &most, language)
+        } else if self.chosen {
+            simulation::too_many_steps_chosen(&run, &besides, &most, language)
         } else {
             simulation::too_many_steps_besides(&run, &besides, &most, language)
         };
@@ -248,7 +277,7 @@ mod tests {
             for cycles in [1, 2, 7, 100_000] {
                 for (warm, days) in [(false, false), (true, false), (false, true), (true, true)] {
                     for axes in [1, 3] {
-                        let work = Work { cycle, after: 0, cycles, warm, days };
+                        let work = Work { cycle, after: 0, cycles, warm, days, chosen: !days };
                         let works = vec![work; axes];
                         let sum = |works: &[Work]| works.iter().map(Work::most).sum::<u64>();
                         for limit in [StepLimit::None, StepLimit::WithoutTimeLimit, StepLimit::Fixed] {
@@ -276,6 +305,7 @@ mod tests {
                                     cycles: change.cycles.unwrap_or(cycles),
                                     warm: warm && !change.cold,
                                     days: days && !change.without_days,
+                                    chosen: !days && !change.stated,
                                     ..work
                                 };
                                 let left = if change.one_axis { 1 } else { axes };
@@ -297,7 +327,7 @@ mod tests {
     /// A roll of half an hour is too long for the page however it starts; the command line computes it.
     #[test]
     fn a_long_roll_has_a_way_out_on_the_page() {
-        let roll = Work { cycle: 160_200_000, after: 0, cycles: 1, warm: true, days: false };
+        let roll = Work { cycle: 160_200_000, after: 0, cycles: 1, warm: true, days: false, chosen: false };
         let fault = Work::within(&[roll], StepLimit::Fixed).unwrap_err();
         assert!(fault.of_the_project(Language::De).is_empty());
         assert!(fault.said(Language::En).contains("antrieb simulate"), "{}", fault.said(Language::En));
@@ -309,7 +339,7 @@ mod tests {
 
     #[test]
     fn a_winder_may_start_cold_instead() {
-        let winder = Work { cycle: 10_761_060, after: 0, cycles: 1, warm: true, days: false };
+        let winder = Work { cycle: 10_761_060, after: 0, cycles: 1, warm: true, days: false, chosen: false };
         let fault = Work::within(&[winder], StepLimit::WithoutTimeLimit).unwrap_err();
         for (language, words) in [
             (

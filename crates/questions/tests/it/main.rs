@@ -54,6 +54,7 @@ mod simulate;
 mod simulated;
 mod units_in_rows;
 mod workings;
+mod worst_instant;
 mod written_product;
 
 use actuator::Parameters;

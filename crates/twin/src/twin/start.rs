@@ -35,7 +35,8 @@ pub(super) fn link_most(setup: &Setup<'_>) -> f64 {
     }
 }
 
-/// Returns the instant of the scenario's event \[s\].
+/// Returns the instant of the scenario's event \[s\]; if none is stated, the one that needs no run: the highest speed, or
+/// the first standstill. A run takes that of [`worst_instant`](super::worst_instant).
 pub(super) fn happens(setup: &Setup<'_>, course: &Course<'_>) -> Result<Option<f64>, Fault> {
     let standard = match setup.scenario.id {
         ScenarioId::Cycle
@@ -43,7 +44,7 @@ pub(super) fn happens(setup: &Setup<'_>, course: &Course<'_>) -> Result<Option<f
         | ScenarioId::BatteryLoss
         | ScenarioId::HotAmbient
         | ScenarioId::ColdGrease => return Ok(None),
-        ScenarioId::HangingLoad => 0.0,
+        ScenarioId::HangingLoad => course.rest_s(),
         ScenarioId::EmergencyStop
         | ScenarioId::PowerFailure
         | ScenarioId::BlockedLoad

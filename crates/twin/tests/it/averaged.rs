@@ -1,6 +1,8 @@
 //! Operation over days by mean losses, against the stepped model.
 
 use super::{NOTHING, load, one_move, parameters, replaced};
+use actuator::{Losses, Temperatures};
+use quantities::{Measure, ThermodynamicTemperature};
 use twin::{Averaged, Operation, Parameters, Scenario, Setup, Twin, averaged};
 
 const DAY_S: f64 = 86_400.0;
@@ -39,6 +41,63 @@ fn the_averaged_model_follows_the_stepped_one() {
         let supply = supplied_j / summary.supplied_j - 1.0;
         assert!(copper.abs() < 1e-3 && supply.abs() < 1e-2, "{minute}: {copper} {supply}");
         assert!((cycles - time / 0.6).abs() < 1e-3, "{cycles}");
+    }
+}
+
+/// The course of a period is that of the stepped model in operation and of the network alone at rest; the highest winding
+/// temperature within a cycle is that of the stepped model.
+#[test]
+fn the_course_of_a_period_follows_the_stepped_model() {
+    let parameters = quick();
+    let (mechanism, motion, extras) = (load(1.3, 12.0), one_move(30.0, 0.1, 0.3, 0.1), NOTHING());
+    let setup = Setup { ambient_k: 303.15, ..Setup::of(&parameters, &mechanism, &motion, &extras) };
+    let operation = Operation { periods: 2, period_s: 288.0, running_s: 144.0 };
+    let found = averaged(&setup, operation, || true).unwrap().unwrap();
+    assert_eq!(found.courses.iter().map(|course| course.number).collect::<Vec<_>>(), [1, 2]);
+    let first = &found.courses[0].points;
+    assert_eq!(first.len(), twin::POINTS_OF_A_PERIOD as usize + 1);
+    assert!((first[first.len() - 1].time_s - 288.0).abs() < 1e-9);
+    // The second period begins as the first ends.
+    assert_eq!(first[first.len() - 1].winding_k, found.courses[1].points[0].winding_k);
+    let mut stepped = Twin::new(&Setup { scenario: Scenario { cycles: 240, ..Scenario::default() }, ..setup }).unwrap();
+    let mut compared = 0;
+    for block in 1..=12 {
+        // Twelve seconds are twenty cycles, and sixty points.
+        let (mut sum, mut count, mut highest) = (0.0, 0.0, 0.0_f64);
+        let until = 12.0 * f64::from(block);
+        while stepped.time_s() < until - 1e-9 {
+            stepped.advance(160);
+            let now = stepped.sample().winding_k;
+            // The last cycle of the block.
+            if stepped.time_s() > until - 0.6 {
+                (sum, count, highest) = (sum + now, count + 1.0, highest.max(now));
+            }
+        }
+        let point = first[block as usize * 60];
+        let now = stepped.sample();
+        assert!((point.housing_k - now.housing_k).abs() < 0.03, "{block}: {point:?} {now:?}");
+        assert!((point.winding_k - sum / count).abs() < 0.15, "{block}: {point:?} {}", sum / count);
+        assert!((point.winding_peak_k - highest).abs() < 0.15, "{block}: {point:?} {highest}");
+        compared += usize::from(point.winding_peak_k > point.winding_k + 0.1);
+    }
+    assert!(compared > 6, "{compared}");
+    // At rest: the network without losses, by Heun's method with a hundredth of a second.
+    let heat = actuator::HeatModel::of(&parameters.actuator).unwrap();
+    let ambient = ThermodynamicTemperature::from_si(303.15);
+    let of = |[winding, housing]: [f64; 2]| {
+        let [winding, housing] = [winding, housing].map(ThermodynamicTemperature::from_si);
+        let flows = heat.network().flows(&Temperatures { winding, housing }, Losses::default(), ambient);
+        [flows.winding_k_per_s, flows.housing_k_per_s]
+    };
+    let mut state = [first[720].winding_k, first[720].housing_k];
+    for point in &first[721..] {
+        for _ in 0..20 {
+            let one = of(state);
+            let two = of([state[0] + 0.01 * one[0], state[1] + 0.01 * one[1]]);
+            state = [0, 1].map(|k: usize| state[k] + 0.005 * (one[k] + two[k]));
+        }
+        let error = (point.winding_k - state[0]).abs().max((point.housing_k - state[1]).abs());
+        assert!(error < 1e-3 && point.winding_peak_k == point.winding_k, "{point:?} {state:?}");
     }
 }
 
