@@ -233,6 +233,8 @@ impl Marked {
 
     /// Adds the points within a step, whose state is that of constant losses since its beginning.
     fn pass(&mut self, [from_s, until_s]: [f64; 2], ripple_k: impl Fn(f64) -> f64, state: impl Fn(f64) -> [f64; 2]) {
+        // The sum of the steps may miss the end of a part by rounding.
+        let until_s = until_s + 1e-6 * (until_s - from_s);
         while self.next_s() <= until_s && !self.is_complete() {
             let time_s = self.next_s();
             let now = state((time_s - from_s).max(0.0));

@@ -43,7 +43,7 @@ const SLOW_EVERY: u64 = 16;
 const AFTER_S: f64 = 0.5;
 
 /// Further duration of a run whose axis has not come to rest after an event, at most \[s\].
-pub(crate) const LONGER_S: f64 = 2.0;
+const LONGER_S: f64 = 2.0;
 
 /// Periods by which such a run continues at once: 10 ms.
 const LONGER_BY: u64 = 160;

@@ -45,7 +45,7 @@ pub fn settled(setup: &Setup<'_>, mut goes_on: impl FnMut() -> bool) -> Result<O
 const ROUNDS: usize = 8;
 
 /// Periods between two polls: 64 ms of simulated time.
-pub(crate) const AT_ONCE: u64 = 1024;
+const AT_ONCE: u64 = 1024;
 
 /// Upper limit of the settled temperatures, 200 °C \[K\].
 const HOTTEST_K: f64 = 473.15;

@@ -23,10 +23,10 @@ texts! {
     direction_positive = "in positive direction" | "in positiver Richtung";
     direction_negative = "in negative direction" | "in negativer Richtung";
     direction_standstill = "at standstill" | "im Stillstand";
-    effect_travel = "travel until standstill" | "Weg bis zum Stillstand";
-    effect_torque = "gear torque" | "Getriebemoment";
-    effect_link = "lowest DC link voltage" | "kleinster Zwischenkreisspannung";
-    effect_speed = "speed, since the event has no effect on the motion" | "Drehzahl, da das Ereignis die Bewegung nicht beeinflusst";
+    effect_travel = "travel until standstill" | "dem Weg bis zum Stillstand";
+    effect_torque = "gear torque" | "dem Getriebemoment";
+    effect_link = "lowest DC link voltage" | "der kleinsten Zwischenkreisspannung";
+    effect_speed = "speed, since the event does not stop the motion" | "der Drehzahl, da das Ereignis die Bewegung nicht anhält";
     stop_missing =
         "after the event the axis does not come to rest within this run: time and angle of the stop are not known"
         | "nach dem Ereignis kommt die Achse in diesem Lauf nicht zum Stillstand: Anhaltezeit und Anhaltewinkel sind nicht bekannt";

@@ -162,7 +162,7 @@ pub(crate) struct TooManySteps {
     run: u64,
     /// Largest number of steps of the cycles besides it.
     besides: u64,
-    /// Those of the choice of an instant are among them.
+    /// `true` if steps for the choice of an instant are among them.
     chosen: bool,
     limit: StepLimit,
     /// Changes, of which each suffices.

@@ -87,6 +87,9 @@ const RESTED_S: f64 = 0.1;
 /// Number of states of the run from which the instants are reached.
 const STATES: u32 = 64;
 
+/// Periods between two polls of the caller: 64 ms.
+const AT_ONCE: u64 = 1024;
+
 /// Periods between two evaluations of the standstill: 10 ms.
 const CHUNK: u64 = 160;
 
@@ -353,7 +356,7 @@ impl Twin<'_> {
             if !goes_on() {
                 return false;
             }
-            self.advance((until - self.tick).min(crate::warm::AT_ONCE));
+            self.advance((until - self.tick).min(AT_ONCE));
         }
         true
     }
