@@ -1084,6 +1084,8 @@ class Simulation(Record):
     """Name of the scenario."""
     at: float | None = None
     """Instant of the event \\[s\\]; `null` if the whole run is the scenario."""
+    instant: WorstInstant | None = None
+    """Choice of this instant as the worst one; `null` if it is stated or the scenario has none."""
     reaction: Reaction
     """Reaction of the servo drive to a stop and to its own faults."""
     cycles: int
@@ -1104,6 +1106,8 @@ class Simulation(Record):
     """Figures of the run."""
     averaged: Figures | None = None
     """Figures of an operation over days with the mean losses of the cycle; `null` if no days are requested."""
+    days: Rows[DayOfOperation]
+    """Temperatures over the first and the last day of this operation; empty if no days are requested."""
     verdicts: Rows[SimulatedVerdict]
     """Figures with a limit."""
     events: Rows[SimulatedEvent]
@@ -1144,6 +1148,48 @@ class Simulation(Record):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class WorstInstant(Record):
+    """Choice of the worst instant of an event."""
+
+    effect: EventEffect
+    """Id of the effect by which the worst instant is chosen."""
+    examined: int
+    """Number of instants examined."""
+    directions: Rows[WorstOfDirection]
+    """Worst instant of every direction of motion, the chosen one first."""
+    title: str
+    """Choice as text."""
+
+    def __iter__(self) -> Iterator[WorstOfDirection]:
+        return iter(self.directions)
+
+    def __len__(self) -> int:
+        return len(self.directions)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.directions
+
+    def __getitem__(self, key: int | str, /) -> WorstOfDirection:
+        return self.directions[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class WorstOfDirection(Record):
+    """Worst instant of a direction of motion."""
+
+    direction: MotionDirection
+    """Direction of the output at the instant."""
+    at: float | None
+    """Instant \\[s\\]."""
+    value: float | None
+    """Effect of the event at this instant."""
+    unit: str
+    """Unit of the effect."""
+    rests: bool
+    """`true` if the axis comes to rest within two seconds, or if the event does not stop it."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Figure(Record):
     """A figure with its unit."""
 
@@ -1153,6 +1199,42 @@ class Figure(Record):
     """Value; `null` if there is none."""
     unit: str
     """Unit of the value."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class DayOfOperation(Record):
+    """Temperatures over a day of operation."""
+
+    day: int
+    """Number of the day, from one."""
+    hours: Rows[HourOfOperation]
+    """Temperatures at the beginning of the day and at the end of each hour."""
+
+    def __iter__(self) -> Iterator[HourOfOperation]:
+        return iter(self.hours)
+
+    def __len__(self) -> int:
+        return len(self.hours)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.hours
+
+    def __getitem__(self, key: int | str, /) -> HourOfOperation:
+        return self.hours[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class HourOfOperation(Record):
+    """Temperatures at the end of an hour."""
+
+    hour: int
+    """Time since the beginning of the day \\[h\\]; the operation begins at zero."""
+    winding: float | None
+    """Mean temperature of the winding over a cycle \\[°C\\]."""
+    winding_peak: float | None
+    """Highest temperature of the winding in this hour, within a cycle \\[°C\\]."""
+    housing: float | None
+    """Temperature of the housing \\[°C\\]."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -3531,6 +3613,8 @@ class Glossary(Record):
     symbols: Rows[GlossarySymbol]
     """Symbols of the derivations and of the values for a servo drive. A symbol with several meanings has several
 entries."""
+    checks: Rows[GlossaryCheck]
+    """Checks with the requested title; only where there are some."""
 
     @property
     def entries(self) -> Rows[GlossaryWord | GlossaryTerm | GlossarySymbol]:
@@ -3594,6 +3678,18 @@ class GlossarySymbol(Record):
     """English meaning."""
     de: str
     """German meaning."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class GlossaryCheck(Record):
+    """A check of an actuator, which `explain` states with formula, inputs and sources."""
+
+    id: str
+    """Identifier."""
+    en: str
+    """English title."""
+    de: str
+    """German title."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -3952,6 +4048,10 @@ UnitBy = Literal["header", "unit_row", "metadata", "values", "project"]
 
 ScenarioId = Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"]
 
+EventEffect = Literal["travel", "torque", "link_voltage", "speed"]
+
+MotionDirection = Literal["positive", "negative", "standstill"]
+
 Reaction = Literal["ramp", "brake", "coast"]
 
 Figures = dict[str, Figure]
@@ -4140,6 +4240,7 @@ __all__ = [
     "Curves",
     "DatumChange",
     "DatumRow",
+    "DayOfOperation",
     "DecodedWord",
     "Demand",
     "DemandMode",
@@ -4167,6 +4268,7 @@ __all__ = [
     "ErratumCell",
     "ErratumKind",
     "ErratumStatus",
+    "EventEffect",
     "EventKind",
     "Explained",
     "Explanations",
@@ -4182,11 +4284,13 @@ __all__ = [
     "Fit",
     "FitKind",
     "Glossary",
+    "GlossaryCheck",
     "GlossarySymbol",
     "GlossaryTerm",
     "GlossaryWord",
     "Grade",
     "Head",
+    "HourOfOperation",
     "Identification",
     "Identified95",
     "Inertia",
@@ -4206,6 +4310,7 @@ __all__ = [
     "MissedBy",
     "ModelParameter",
     "Motion",
+    "MotionDirection",
     "Mount",
     "MountValue",
     "MoveTorques",
@@ -4285,5 +4390,7 @@ __all__ = [
     "WordFault",
     "WordField",
     "WorstCorner",
+    "WorstInstant",
+    "WorstOfDirection",
     "WouldFit",
 ]

@@ -656,16 +656,16 @@ def simulate(
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
         scenario: Scenario; default: that of the project, otherwise the cycle.
-        at: Time of the event, such as "300 ms"; default: at the highest speed of the axis.
+        at: Time of the event, such as "300 ms"; default: the worst instant of the cycle, which the answer states.
         reaction: Stop reaction of the drive; default: ramp.
         failure: Type of encoder failure in the encoder scenario; default: signal loss.
         cycles: Number of cycles simulated (1). 1 to 100000.
         cold: Start at ambient temperature instead of in thermal steady state.
-        days: Additionally simulate this number of days with the mean losses of the cycle: temperatures, energy. 1 to 3660.
+        days: Additionally simulate this number of days with the mean losses of the cycle: temperatures over the day, energy. 1 to 3660.
         hours_per_day: Operation per day in hours (24).
         every: Sampling interval of the trace ("1 ms").
         signals: Signals of the trace, separated by commas; default: all.
-        format: Json for the summary (default), csv or parquet for the trace, svg for a picture.
+        format: Json for the summary (default), csv or parquet for the trace or the days, svg for a picture.
         figure: Picture: the trace, or the frequency responses of the control loops (simulation).
         theme: Colours of the picture.
         width: Width of the picture, for example "160 mm"; default: by its content.

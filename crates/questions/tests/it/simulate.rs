@@ -190,3 +190,26 @@ fn signals_are_named_and_wrong_names_are_refused_together() {
     assert!(faults[1].hint.as_deref().unwrap().contains("speed"), "{faults:?}");
     assert!(faults[2].hint.as_deref().unwrap().contains("winding"), "all names: {faults:?}");
 }
+
+/// The first and the last day of operation are listed hour by hour: warming in operation, cooling at rest, the largest
+/// temperatures those of the figures.
+#[test]
+fn days_of_operation_are_listed_by_the_hour() {
+    let (record, _) = simulated(TABLE, &[CODE, ("days", "3"), ("hours-per-day", "8h")]).unwrap();
+    let days = record["days"].as_array().unwrap();
+    assert_eq!(days.iter().map(|day| day["day"].as_u64().unwrap()).collect::<Vec<_>>(), [1, 3]);
+    for day in days {
+        let hours = day["hours"].as_array().unwrap();
+        assert_eq!(hours.len(), 25);
+        let of = |name: &str| hours.iter().map(|hour| hour[name].as_f64().unwrap()).collect::<Vec<_>>();
+        let (winding, peak, housing) = (of("winding"), of("winding_peak"), of("housing"));
+        assert!(winding.iter().zip(&peak).all(|(mean, peak)| peak >= mean), "{day}");
+        assert!(housing[1] > housing[0] + 0.5 && housing[8] >= housing[7] && housing[9] < housing[8], "{day}");
+        let highest = record["averaged"]["housing_peak"]["value"].as_f64().unwrap();
+        assert!((housing[8] - highest).abs() < 0.5, "{day} {highest}");
+    }
+    let (single, _) = simulated(TABLE, &[CODE, ("days", "1")]).unwrap();
+    assert_eq!(single["days"].as_array().unwrap().len(), 1);
+    let (none, _) = simulated(TABLE, &[CODE]).unwrap();
+    assert_eq!(none["days"].as_array().unwrap().len(), 0);
+}
