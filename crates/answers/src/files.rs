@@ -38,13 +38,32 @@ pub struct AxisWritten {
 pub struct ExportWritten {
     /// Path as given.
     pub file: String,
+    /// Ordering code, or name of the project's own actuator; absent for several axes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub code: Option<String>,
+    /// Verdict on the actuator; of several axes the worst.
+    pub verdict: Fit,
+    /// Tables in the file; empty for several axes.
+    pub tables: Vec<TableWritten>,
+    /// Tables left out because they are too long for a sheet of a workbook; empty for several axes.
+    pub left_out: Vec<TableWritten>,
+    /// Several axes, in the order of the sheets; absent for one.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub axes: Vec<AxisExported>,
+}
+
+/// One of several axes of a workbook.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct AxisExported {
+    /// Name of the axis.
+    pub axis: String,
     /// Ordering code, or name of the project's own actuator.
     pub code: String,
     /// Verdict on the actuator.
     pub verdict: Fit,
     /// Tables in the file.
     pub tables: Vec<TableWritten>,
-    /// Tables left out because they are too long for a sheet of a workbook.
+    /// Tables left out because they are too long for a sheet.
     pub left_out: Vec<TableWritten>,
 }
 

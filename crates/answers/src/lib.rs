@@ -62,8 +62,8 @@ pub use errata::{Errata, Erratum, ErratumCell, ErratumKind, ErratumStatus};
 pub use facts::{Fact, FactValue};
 pub use fault::{Fault, Faults, Place};
 pub use files::{
-    AxisWritten, ColumnKind, ExportWritten, FilesWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn,
-    TableRow, TableWritten,
+    AxisExported, AxisWritten, ColumnKind, ExportWritten, FilesWritten, PlotWritten, ReportWritten, Table, TableCell,
+    TableColumn, TableRow, TableWritten,
 };
 pub use glossary::{Glossary, GlossaryCheck, GlossarySymbol, GlossaryTerm, GlossaryWord};
 pub use id::{Availability, Fit, Id, Identified};
@@ -73,7 +73,7 @@ pub use judged::{
 };
 pub use laid_out::{Block, Chapter, Column, Grid, Hazard, Picture, Task};
 pub use licences::{LicenceText, Licences};
-pub use motion::{ColumnRole, Motion, RecordedColumn, Recording, Segment, TextEncoding, UnitBy};
+pub use motion::{ColumnRole, Motion, RecordedColumn, Recording, Segment, Setpoints, TextEncoding, UnitBy};
 pub use mount::{Joint, JointCase, Mount, MountValue, Pilot};
 pub use number::Number;
 pub use operation::{DataLine, Duty, MotorSide, Operation, SegmentLoad};

@@ -12,6 +12,31 @@ pub struct Motion {
     pub units: Units,
     /// Segments in their order.
     pub segments: Vec<Segment>,
+    /// Set-points at equal steps; only if a step is stated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub setpoints: Option<Setpoints>,
+}
+
+/// Set-points of the motion over one cycle, its end included.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Setpoints {
+    /// Units of time, position, speed and acceleration.
+    pub units: Units,
+    /// Time between two rows.
+    pub every: Number,
+    /// Number of rows.
+    pub rows: usize,
+    /// File with the rows, if one was written; the lists are empty then.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// Instants from the start of the cycle.
+    pub time: Vec<Number>,
+    /// Position at each instant.
+    pub position: Vec<Number>,
+    /// Speed at each instant.
+    pub speed: Vec<Number>,
+    /// Acceleration at each instant; where it jumps, that behind the jump.
+    pub acceleration: Vec<Number>,
 }
 
 /// One segment.

@@ -1,6 +1,7 @@
 //! A project with other values for one call: `--set KEY=VALUE` and `--scale WHAT=FACTOR`.
 
 pub(crate) mod accepted;
+mod consequence;
 mod factor;
 pub(crate) mod keys;
 mod load;
@@ -12,6 +13,7 @@ mod value;
 
 use crate::command::typed::{number_and_unit, typed};
 use clap::ArgMatches;
+pub(crate) use consequence::consequences;
 pub(crate) use factor::factor;
 use factor::{any_factor, percentage, undecided_factors};
 use project::{

@@ -1,6 +1,7 @@
 //! Changes of a call over every key of every project of the examples and of every new one.
 
 use super::*;
+use crate::source::SourceFile;
 use project::{KEYS, Key, example};
 use questions::list::new::{template, template_kinds};
 use std::collections::BTreeMap;
@@ -108,4 +109,70 @@ fn a_key_of_a_list_without_its_entry_is_the_only_one_or_refused_with_the_lines_t
             }
         }
     }
+}
+
+/// Returns what the echo of a call says: the changes, and what follows from them.
+fn echoed(text: &str, options: &[&str], language: Language) -> Vec<String> {
+    let mut file = SourceFile::of_text("axis.toml".to_owned(), text.as_bytes().to_vec(), Path::new(""), 1 << 30);
+    file.change(&Statements::of_words(options), language).unwrap_or_default()
+}
+
+/// Returns the numbers of a text.
+fn numbers(text: &str) -> Vec<f64> {
+    text.split(' ').filter_map(|word| word.parse().ok()).collect()
+}
+
+#[test]
+fn a_cycle_that_the_call_does_not_name_is_echoed() {
+    let mut seen = 0;
+    for (name, text) in projects().into_iter().filter(|(_, text)| !text.contains("recorded")) {
+        let said = echoed(&text, &["--scale", "time=0.5"], Language::En);
+        let cycle =
+            |said: &[String]| said.iter().find(|each| each.contains("cycle ") && each.contains(" s →")).cloned();
+        if let Some(cycle) = cycle(&said)
+            && let [before, after] = numbers(&cycle)[..]
+        {
+            assert!((before - 2.0 * after).abs() < 1e-4 * before, "{name}: {said:?}");
+            seen += 1;
+        }
+        assert_eq!(cycle(&echoed(&text, &["--set", "requirements.ambient=21 degC"], Language::En)), None, "{name}");
+        assert_eq!(cycle(&echoed(&text, &["--set", "cycle=50 s"], Language::En)), None, "{name}");
+    }
+    assert!(seen > 10, "{seen}");
+    let table = template("turntable", "axis", Language::En).unwrap().text;
+    let said = echoed(&table, &["--set", "time=0.4s"], Language::De);
+    assert!(said.last().is_some_and(|said| said.starts_with("Zyklus ")), "{said:?}");
+}
+
+#[test]
+fn a_new_payload_is_echoed_with_the_mass_of_the_mechanism() {
+    let mut seen = Vec::new();
+    for (name, text) in projects() {
+        let said = echoed(&text, &["--set", "payload=7kg"], Language::En);
+        let sum = said.iter().find(|each| each.contains("moved mass"));
+        let all = written(&text).unwrap();
+        let is_several = all.iter().any(|each| each.path.starts_with("axis[2]"));
+        let has_payload = all.iter().any(|each| each.path.ends_with("].payload"));
+        let own = |key: &Written| key.path.starts_with("mechanism.") && key.path.ends_with("mass");
+        let of_load = all.iter().find(|each| {
+            own(each)
+                && project::LOADS.iter().any(|(table, keys)| {
+                    each.path.strip_prefix(table).is_some_and(|key| keys.contains(&key.trim_start_matches('.')))
+                })
+        });
+        if said.is_empty() || is_several {
+            continue;
+        }
+        let is_due = of_load.is_some() && !has_payload && project::takes_payload(&all, "");
+        let is_zero = of_load.and_then(|each| each.value.as_deref()).is_some_and(|value| value.starts_with("0 "));
+        assert_eq!(sum.is_some(), is_due && !is_zero, "{name}: {said:?}");
+        if let Some(sum) = sum {
+            let [own, payload, both] = numbers(sum)[..] else { panic!("{sum}") };
+            assert!(payload == 7.0 && (own + payload - both).abs() < 1e-4 * both, "{name}: {sum}");
+            seen.push(of_load.unwrap().path.clone());
+        }
+    }
+    seen.sort();
+    seen.dedup();
+    assert!(seen.len() > 3, "{seen:?}");
 }

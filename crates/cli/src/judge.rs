@@ -111,7 +111,7 @@ fn side_by_side(inquiry: &Inquiry<'_>, args: &size::Args, language: Language) ->
 }
 
 /// Returns the last part of a path, with the changes of the call behind it.
-fn file_name(name: &str) -> &str {
+pub(crate) fn file_name(name: &str) -> &str {
     let path = name.split_once(" (").map_or(name, |(path, _)| path);
     name.get(path.rfind(['/', '\\']).map_or(0, |at| at + 1)..).unwrap_or(name)
 }

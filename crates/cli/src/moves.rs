@@ -1,25 +1,69 @@
-//! The resulting motion as text.
+//! The resulting motion as text, and its set-points as a table.
 
-use crate::answer::CommandAnswer;
+use crate::answer::{CommandAnswer, written};
 use crate::call::Call;
+use crate::command::typed::typed;
+use crate::fault::path_text;
 use crate::table::{Align, TextTable, labelled};
 use axis::SegmentLoadKey;
 use quantities::unit::SECOND;
-use quantities::{Language, Measure, format_significant};
-use questions::Moves;
+use quantities::{Language, Measure, Time, format_significant};
 use questions::list::{Cost, Inquiry, Unanswered, moves};
 use questions::texts::recording_text;
-use words::{law_text, segment_load, terminal, terms};
+use questions::{Moves, answer};
+use tables::Format;
+use words::{law_text, segment_load, terminal, terms, unpadded};
 
 /// Number of segments shown; --json has all of them.
 const SEGMENTS_MOST: usize = 12;
 
-/// `antrieb moves PROJECT`
+/// `antrieb moves PROJECT [--every TIME [--out FILE]]`
 pub(crate) fn moves(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let args = moves::Args::read(&inquiry.given)?;
+    let file = call.path("out");
+    let ending = || Unanswered::option("out", (terminal::ending_of_setpoints(language).to_owned(), None));
+    let is_table = |format: &Format| matches!(format, Format::Csv | Format::Parquet);
+    let format = file.map(|file| Format::of(file).filter(is_table).ok_or_else(ending)).transpose()?;
+    let saver = call.saver();
+    if let Some(file) = file {
+        saver.ready(&[file])?;
+    }
     let (_, project) = inquiry.axis(args.axis.as_deref(), Cost::Other)?;
-    Ok(CommandAnswer::data(text(&questions::moves(&project), language)))
+    let found = questions::moves(&project);
+    let Some(setpoints) = args.setpoints(&project, inquiry)? else {
+        let named = call.path("project").map(path_text).filter(|name| name != "-");
+        let setpoints = named.map(|name| {
+            let of_axis = args.axis.iter().flat_map(|axis| ["--axis", axis.as_str()]);
+            let head = ["antrieb", "moves", name.as_str()].into_iter();
+            let call = typed(head.chain(of_axis).chain(["--every", "2ms", "--out", "setpoints.csv"]));
+            format!("\n{}\n", terminal::setpoints_call(&call, language))
+        });
+        return Ok(CommandAnswer::data(text(&found, language) + &setpoints.unwrap_or_default()));
+    };
+    let table = tables::setpoints(&setpoints, language);
+    let ms = |time: Time| unpadded(time.si() * 1e3, 6, language);
+    let rest = setpoints.rest.map(|rest| {
+        let cycle = unpadded(project.axis.motion.duration().si(), 6, language);
+        format!("{}\n", terminal::setpoints_rest(&cycle, &ms(setpoints.every), &ms(rest), language))
+    });
+    let talk = rest.unwrap_or_default();
+    let (Some(file), Some(format)) = (file, format) else {
+        return Ok(CommandAnswer { talk, ..CommandAnswer::data(tables::csv(&table)) });
+    };
+    let bytes = match format {
+        Format::Parquet => tables::parquet(&table).map_err(|error| Unanswered::message(error.message(language)))?,
+        Format::Csv | Format::Json | Format::Workbook => tables::csv(&table).into_bytes(),
+    };
+    saver.save(&[(file, &bytes)])?;
+    let data = if call.as_json {
+        let record = answer::setpoints(&setpoints, Some(path_text(file)));
+        written(&answer::motion(&found, Some(record), language))
+    } else {
+        let rows = setpoints.rows.len();
+        format!("{}\n", terminal::setpoints_written(&path_text(file), &rows, &ms(setpoints.every), language))
+    };
+    Ok(CommandAnswer { talk, ..CommandAnswer::data(data) })
 }
 
 /// Returns every segment with its stated and its computed values.

@@ -1,7 +1,7 @@
 //! A file that a question is about, with the files that it may name.
 
 use crate::changed::keys::is_measured;
-use crate::changed::{Statements, changed};
+use crate::changed::{Statements, changed, consequences};
 use crate::command::text_of_kind;
 use crate::fault::{path_text, read_bytes};
 use axis::{Grant, Reach};
@@ -72,16 +72,22 @@ impl SourceFile {
         Ok(single.map_or(file, |text| of(text, vec![assumed])))
     }
 
-    /// Replaces its text by one with the changes of a call; returns them. A file that is no text keeps its bytes.
+    /// Replaces its text by one with the changes of a call; returns them, and what follows from them. A file that is no text keeps its bytes.
     ///
     /// # Errors
     /// Every change that cannot be made.
     pub(crate) fn change(&mut self, stated: &Statements, language: Language) -> Result<Vec<String>, Unanswered> {
         let Ok(text) = std::str::from_utf8(&self.bytes) else { return Ok(Vec::new()) };
         let Some(changed) = changed(text, stated, language)? else { return Ok(Vec::new()) };
+        let after = ReferencedText {
+            name: self.name.clone(),
+            bytes: Cow::Borrowed(changed.text.as_bytes()),
+            files: &self.project_files,
+        };
+        let further = consequences(&self.source(), &after, stated, language);
         self.name = changed.named(&self.name);
         self.bytes = changed.text.into_bytes();
-        Ok(changed.made)
+        Ok(changed.made.into_iter().chain(further).collect())
     }
 
     /// Creates a file from a text, with a name for its faults, as if it lay in a folder.

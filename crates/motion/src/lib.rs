@@ -11,6 +11,7 @@ mod faults;
 mod generated;
 mod grid;
 mod held;
+mod instant;
 mod joint;
 mod law;
 mod outliers;

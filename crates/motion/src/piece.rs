@@ -3,8 +3,8 @@
 use numeric::{root, roots};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Position, speed and acceleration at one instant.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Position, speed and acceleration at one instant; by default at rest at zero.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct State {
     /// q \[rad\]
     pub position_rad: f64,

@@ -38,7 +38,7 @@ pub use facts::facts;
 pub use fault::{code_worded, fault, faults, file_fault, not_in_glossary, option_fault, refusal_text, table_faults};
 pub use inputs::input_words;
 pub use judged::{candidate, fit, judgement, objections, reserve, sizing, tolerance};
-pub use motion::motion;
+pub use motion::{motion, setpoints};
 pub use mount::mount;
 pub use recorded::recorded;
 pub use sheet::{catalogue_cells, sheet, sheet_note_text};

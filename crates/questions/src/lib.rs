@@ -37,6 +37,7 @@ mod progress;
 mod reading;
 mod recorded_template;
 mod segment_handles;
+mod setpoints;
 mod sheet;
 mod signal;
 mod simulate;
@@ -96,6 +97,7 @@ pub use recording::{
     Role as ColumnRole,
 };
 pub use segment_handles::segment_handles;
+pub use setpoints::{NoSetpoints, SETPOINTS_MOST, Setpoints, setpoints};
 pub use sizing::{Course, FlangeSample, Sample};
 pub use sizing_use::{course, course_rows, course_seen};
 pub use supply_power::{power_over_cycle, sum_of_known};

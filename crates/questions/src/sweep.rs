@@ -12,6 +12,7 @@ mod judged;
 mod labels;
 mod meant;
 pub mod sample;
+mod stepped;
 mod summary;
 mod template;
 
@@ -21,6 +22,7 @@ pub use head::Head;
 pub use judged::{Best, Every, Judged, OnFront};
 pub use labels::{BEST_COLUMNS, STAGE_RATIO, TableColumns};
 pub use meant::MeantHeading;
+pub use stepped::{Unstepped, stepped};
 pub use summary::{MissedBy, NotJudged, SweepCheck, SweepRow, SweepSummary, Tally};
 
 use crate::list::Unanswered;

@@ -83,6 +83,13 @@ texts! {
         "Additionally simulate this number of days with the mean losses of the cycle: temperatures over the day, energy"
         | "Zusätzlich diese Anzahl Tage mit den mittleren Verlusten des Zyklus rechnen: Temperaturen über den Tag, Energie";
     simulate_hours = "Operation per day in hours (24)" | "Betriebsstunden je Tag (24)";
+    moves_every =
+        "Set-points at the cycle of a controller, such as 2ms: time, position, speed, acceleration in the units of the axis"
+        | "Sollwerte im Takt einer Steuerung, etwa 2ms: Zeit, Position, Geschwindigkeit, Beschleunigung in den Einheiten der Achse";
+    moves_out = "Write the set-points as .csv or .parquet" | "Sollwerte als .csv oder .parquet schreiben";
+    setpoints_by_moves(call) =
+        "Set-points for a controller, in the units of the axis: {call}"
+        | "Sollwerte für eine Steuerung, in den Einheiten der Achse: {call}";
     simulate_every =
         "Sampling interval of the trace (\"1 ms\")" | "Abtastintervall des Verlaufs (\"1 ms\")";
     signals = "Signals" | "Größen";
@@ -107,10 +114,13 @@ texts! {
         "For each row the ordering codes that are Pareto-optimal in mass, length and margin"
         | "Je Zeile die in Masse, Länge und Reserve Pareto-optimalen Bestellbezeichnungen";
     sweep_vary =
-        "In place of a table: a key with its values or a range, payload=0,5,10kg or time=1..3s; repeated for every combination; without --out the answers are shown"
-        | "Statt einer Tabelle: ein Schlüssel mit Werten oder Bereich, payload=0;5;10kg oder time=1..3s; mehrfach für alle Kombinationen; ohne --out werden die Antworten angezeigt";
+        "In place of a table: a key with its values or a range, payload=0,5,10kg, time=1..3s or payload=0:10:2kg (with its step); repeated for every combination; without --out the answers are shown"
+        | "Statt einer Tabelle: ein Schlüssel mit Werten oder Bereich, payload=0;5;10kg, time=1..3s oder payload=0:10:2kg (mit Schritt); mehrfach für alle Kombinationen; ohne --out werden die Antworten angezeigt";
     sweep_steps =
-        "Values of each range (11)" | "Werte je Bereich (11)";
+        "Values of each range without a step (11)" | "Werte je Bereich ohne Schritt (11)";
+    sweep_step =
+        "Step of the range, such as 5kg for 30..60kg; its end must be met"
+        | "Schritt des Bereichs, etwa 5kg bei 30..60kg; das Ende muss getroffen werden";
     data_beside =
         "Further actuator, two to five in all: their main data side by side in place of the data sheet"
         | "weiterer Antrieb, insgesamt zwei bis fünf: ihre Hauptdaten nebeneinander anstelle des Datenblatts";

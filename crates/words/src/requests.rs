@@ -41,6 +41,9 @@ texts! {
     kind_unwinder =
         "a roll that a web is drawn from, its diameter decreases" | "Wickel, von dem eine Bahn abgezogen wird, der Durchmesser nimmt ab";
     kind_sweep = "table of many axes for antrieb sweep" | "Tabelle vieler Achsen für antrieb sweep";
+    no_step_of_setpoints = "the step is a positive time, such as 2ms" | "der Takt ist eine positive Zeit, etwa 2ms";
+    too_many_setpoints(most, least) =
+        "more than {most} rows; state at least {least} ms" | "mehr als {most} Zeilen; mindestens {least} ms angeben";
     moves =
         "Motion of an axis, every segment with the derived quantities"
         | "Bewegung einer Achse, jeder Abschnitt mit den abgeleiteten Größen";

@@ -519,6 +519,25 @@ pub fn is_pause(word: &str) -> bool {
     ["pause", "dwell", "rest", "wait", "stillstand", "rast", "wartezeit"].contains(&&*word.to_lowercase())
 }
 
+/// Returns `true` if a word names the set-points of a motion.
+#[must_use]
+pub fn is_setpoints(word: &str) -> bool {
+    const NAMES: [&str; 11] = [
+        "setpoint",
+        "setpoints",
+        "motion",
+        "trajectory",
+        "profile",
+        "cam",
+        "sollwert",
+        "sollwerte",
+        "bewegung",
+        "trajektorie",
+        "kurvenscheibe",
+    ];
+    NAMES.contains(&&*word.to_lowercase().replace(['-', '_'], ""))
+}
+
 /// Returns `true` if numbers usually have decimal commas in a language.
 #[must_use]
 pub const fn has_decimal_commas(language: Language) -> bool {

@@ -108,13 +108,27 @@ texts! {
     sample_key(written) =
         "\"{written}\" is not a key with values" | "„{written}“ ist kein Schlüssel mit Werten";
     sample_key_hint =
-        "write \"motion[1].time [s] = 1..3\", \"… = 1..3 log\" or \"… = 1; 2; 3\""
-        | "„motion[1].time [s] = 1..3“, „… = 1..3 log“ oder „… = 1; 2; 3“ schreiben";
+        "write \"motion[1].time [s] = 1..3\", \"… = 1..3:0.5\", \"… = 1..3 log\" or \"… = 1; 2; 3\""
+        | "„motion[1].time [s] = 1..3“, „… = 1..3:0.5“, „… = 1..3 log“ oder „… = 1; 2; 3“ schreiben";
+    step_misses(range, step) =
+        "\"{range}\": steps of {step} do not meet the end of the range"
+        | "„{range}“: Schritte von {step} treffen das Ende des Bereichs nicht";
+    steps_that_meet(steps) =
+        "steps that meet it: {steps}" | "Schritte, die es treffen: {steps}";
+    step_too_small(range, step, most) =
+        "\"{range}\": a step is a number above zero, with at most {most} values in the range; \"{step}\" is none"
+        | "„{range}“: ein Schritt ist eine Zahl über null mit höchstens {most} Werten im Bereich, „{step}“ nicht";
+    step_of_log(range) =
+        "\"{range}\": a range of equal ratios has no step, --steps states the number of its values"
+        | "„{range}“: ein Bereich gleicher Verhältnisse hat keinen Schritt, --steps nennt die Anzahl seiner Werte";
+    step_of_another_quantity(step, range) =
+        "the step {step} has another quantity than the range \"{range}\""
+        | "der Schritt {step} hat eine andere Größe als der Bereich „{range}“";
     vary_form(written) =
         "\"{written}\" is not a key with values" | "„{written}“ ist kein Schlüssel mit Werten";
     vary_form_hint =
-        "write payload=0,5,10kg or time=1..3s, `time=1..8 s log` for equal ratios"
-        | "payload=0;5;10kg oder time=1..3s schreiben, `time=1..8 s log` für gleiche Verhältnisse";
+        "write payload=0,5,10kg, time=1..3s or payload=0:10:2kg, `time=1..8 s log` for equal ratios"
+        | "payload=0;5;10kg, time=1..3s oder payload=0:10:2kg schreiben, `time=1..8 s log` für gleiche Verhältnisse";
     no_entry(path, count) =
         "`{path}`: the project has no such entry, its list has {count}"
         | "`{path}`: diesen Eintrag hat das Projekt nicht, die Liste hat {count}";

@@ -72,9 +72,9 @@ texts! {
     to_state = "to be stated" | "anzugeben";
     see_above = "see above" | "siehe oben";
     rows = "rows" | "Zeilen";
-    export_is_of_one_axis(names) =
-        "an export contains one axis; select one with --axis: {names}"
-        | "ein Export enthält eine Achse; eine mit --axis wählen: {names}";
+    table_is_of_one_axis(names) =
+        "a single table is one of one axis, a workbook (.xlsx) has all; select one with --axis: {names}"
+        | "eine einzelne Tabelle gehört zu einer Achse, eine Arbeitsmappe (.xlsx) enthält alle; eine mit --axis wählen: {names}";
     error = "error" | "Fehler";
     help = "help" | "Hilfe";
     file_too_large(project_max_bytes) =
@@ -175,6 +175,17 @@ texts! {
     not_scaled(axis, why, others) = "axis {axis}: {why}; select another axis with --axis: {others}" | "Achse {axis}: {why}; eine andere Achse mit --axis wählen: {others}";
     change_of_another_axis(path, axis, own) = "{path} is a value of the axis {axis}; the call is about {own} (--axis {axis})" | "{path} ist ein Wert der Achse {axis}; der Aufruf gilt für {own} (--axis {axis})";
     no_result_of_new(call) = "no actuator fits ({call})" | "kein Antrieb geeignet ({call})";
+    ending_of_setpoints = "set-points are a .csv or .parquet file" | "Sollwerte sind eine Datei .csv oder .parquet";
+    setpoints_call(call) = "set-points for a controller: {call}" | "Sollwerte für eine Steuerung: {call}";
+    setpoints_written(file, rows, every) =
+        "{file}: {rows} set-points, every {every} ms" | "{file}: {rows} Sollwerte im Takt von {every} ms";
+    setpoints_rest(cycle, every, rest) =
+        "the cycle of {cycle} s is no multiple of {every} ms: the last row is {rest} ms behind the one before"
+        | "der Zyklus von {cycle} s ist kein Vielfaches von {every} ms: die letzte Zeile liegt {rest} ms hinter der vorletzten";
+    cycle_changed(before, after) = "cycle {before} → {after}" | "Zyklus {before} → {after}";
+    moved_mass_with_payload(own, payload, sum) =
+        "moved mass {own} (mechanism) + {payload} (payload) = {sum}"
+        | "bewegte Masse {own} (Mechanismus) + {payload} (Nutzlast) = {sum}";
     changed_for_this_call(change) = "for this call: {change}" | "für diesen Aufruf: {change}";
     values_of_a_new_project(values) =
         "not stated in the call, values of a new project: {values}"
@@ -231,6 +242,12 @@ texts! {
     no_steps_without_a_range =
         "steps divide a range such as 10..20kg; no value of --vary is one"
         | "Schritte teilen einen Bereich wie 10..20kg; kein Wert von --vary ist einer";
+    step_beside_steps =
+        "--step and --steps both divide the range; state one of them"
+        | "--step und --steps teilen beide den Bereich; nur eines davon angeben";
+    no_step_of_one_range =
+        "a step divides one range such as 30..60kg; of several each states its own behind a colon, 30..60kg:5kg"
+        | "ein Schritt teilt einen Bereich wie 30..60kg; von mehreren nennt jeder seinen nach einem Doppelpunkt, 30..60kg:5kg";
     set_no_key(key) = "a project has no key \"{key}\"" | "ein Projekt hat keinen Schlüssel „{key}“";
     scale_not_possible(what) =
         "{what} cannot be scaled in this project: it has no such values, or states them as a recording"

@@ -68,6 +68,7 @@ texts! {
     requirement_not_met = "requirement not met" | "Anforderung nicht erfüllt";
     revision = "revision" | "Revision";
     rms_torque = "rms torque" | "effektives Drehmoment";
+    position = "position" | "Position";
     rotary_speed = "speed" | "Drehzahl";
     segment = "segment" | "Abschnitt";
     source = "source" | "Quelle";

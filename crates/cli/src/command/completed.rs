@@ -6,7 +6,7 @@ use super::best::{BestOfPattern, ProjectOfCall, best_of_pattern};
 use super::example::code_of_recorded;
 use super::folder::{has_ending, projects_in, text_of};
 use super::meant::{Called, Part};
-use super::own::{VARY, is_of_several};
+use super::own::{STEP, VARY, is_of_several, is_plain_range};
 use super::readings::has_battery;
 use super::spoken::seems_code;
 use super::typed::typed;
@@ -38,7 +38,7 @@ const DAY_S: f64 = 86_400.0;
 /// Returns a call with what it plainly lacks, and a remark on each word that was added.
 pub(super) fn completed(arguments: Vec<OsString>, whole: &Command, language: Language) -> (Vec<OsString>, Vec<String>) {
     let (mut arguments, mut remarks) = (arguments, Vec::new());
-    for step in [with_ranges, with_own_values, with_whole_code, with_one_option] {
+    for step in [with_ranges, with_step, with_own_values, with_whole_code, with_one_option] {
         let found = Called::of(&arguments, whole, language).and_then(|called| step(&called, &arguments));
         if let Some((changed, remark)) = found {
             arguments = changed;
@@ -71,6 +71,33 @@ fn with_ranges(called: &Called<'_>, arguments: &[OsString]) -> Option<Completed>
         })
         .collect();
     is_changed.then_some((words, None))
+}
+
+/// Returns a sweep with its step behind the only range: `--vary mass=30..60kg:5kg`.
+fn with_step(called: &Called<'_>, arguments: &[OsString]) -> Option<Completed> {
+    let texts = texts(arguments).filter(|_| called.has(STEP))?;
+    let value = |option: &str| stated(&texts, option);
+    let [(at, count, step)] = value(STEP)[..] else { return None };
+    let ranges: Vec<_> = value(VARY).into_iter().filter(|(_, _, change)| is_plain_range(change)).collect();
+    let [(place, length, range)] = ranges[..] else { return None };
+    let is_plain =
+        step.starts_with(|sign: char| sign.is_ascii_digit() || "+-.".contains(sign)) && value("steps").is_empty();
+    let varied = is_plain.then(|| [format!("--{VARY}"), format!("{range}:{step}")])?;
+    let words = texts.iter().enumerate().flat_map(|(each, word)| match each {
+        _ if each == place => varied.to_vec(),
+        _ if (place..place + length).contains(&each) || (at..at + count).contains(&each) => Vec::new(),
+        _ => vec![(*word).to_owned()],
+    });
+    Some((words.map(OsString::from).collect(), None))
+}
+
+/// Returns the values of an option with the place and the number of their words.
+fn stated<'t>(texts: &[&'t str], option: &str) -> Vec<(usize, usize, &'t str)> {
+    let of = |(place, word): (usize, &&'t str)| match word.strip_prefix("--")?.strip_prefix(option)? {
+        "" => Some((place, 2, *texts.get(place + 1)?)),
+        rest => Some((place, 1, rest.strip_prefix('=')?)),
+    };
+    texts.iter().enumerate().filter_map(of).collect()
 }
 
 /// Returns the words of a call as texts.

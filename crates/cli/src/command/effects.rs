@@ -89,12 +89,14 @@ pub(crate) fn refusal(command: &str, matches: &ArgMatches, language: Language) -
 fn of_a_sweep(matches: &ArgMatches, is_given: &dyn Fn(&str) -> bool, language: Language) -> Vec<Unanswered> {
     let mut all = Vec::new();
     let varied = matches.try_get_many::<String>(super::own::VARY).ok().flatten().into_iter().flatten();
-    let is_range = |values: &String| {
-        let (_, values) = values.split_once('=').unwrap_or_default();
-        super::own::is_of_several(values) && (values.contains("..") || !values.contains([',', ';']))
-    };
-    if is_given("steps") && is_given(super::own::VARY) && !varied.into_iter().any(is_range) {
+    let ranges = varied.into_iter().filter(|change| super::own::is_plain_range(change)).count();
+    if is_given("steps") && is_given(super::own::VARY) && ranges == 0 {
         all.push(Unanswered::option("steps", (terminal::no_steps_without_a_range(language).to_owned(), None)));
+    }
+    // The step of one range stands in its values.
+    if is_given(super::own::STEP) && is_given(super::own::VARY) {
+        let why = if is_given("steps") { terminal::step_beside_steps } else { terminal::no_step_of_one_range };
+        all.push(Unanswered::option("step", (why(language).to_owned(), None)));
     }
     all
 }

@@ -27,9 +27,13 @@ pub(crate) fn report(command: Command, language: Language) -> Command {
     command.arg(delivered.requires("installation"))
 }
 
+/// Call that writes the set-points of a motion.
+const SETPOINTS: &str = "antrieb moves axis.toml --every 2ms --out setpoints.csv";
+
 /// Accepts any name of a table: the list itself reports the valid ones.
-pub(crate) fn export(command: Command, _: Language) -> Command {
-    command.mut_arg("table", |table| table.value_parser(ValueParser::string()))
+pub(crate) fn export(command: Command, language: Language) -> Command {
+    let command = command.mut_arg("table", |table| table.value_parser(ValueParser::string()));
+    command.after_help(help::setpoints_by_moves(&SETPOINTS, language))
 }
 
 /// Sets CSV as the default format.
@@ -66,11 +70,23 @@ pub(crate) fn simulate(command: Command, language: Language) -> Command {
         listed.push_str(&names.join(" "));
     }
     // The question has the options of its picture.
+    listed.push_str(&format!("\n\n{}", help::setpoints_by_moves(&SETPOINTS, language)));
     command.mut_arg("signals", |signals| signals.requires("out")).after_help(listed)
 }
 
 /// Option that states values in place of a table.
 pub(crate) const VARY: &str = "vary";
+
+/// Option that states the step of a range.
+pub(crate) const STEP: &str = "step";
+
+/// Returns `true` if a change states a range of a key, which steps divide: `mass=30..60kg`, and no step of its own.
+pub(super) fn is_plain_range(change: &str) -> bool {
+    let (_, values) = change.split_once('=').unwrap_or_default();
+    let colons = values.matches(':').count();
+    is_of_several(values)
+        && if values.contains("..") { colons == 0 } else { colons < 2 && !values.contains([',', ';']) }
+}
 
 /// Columns that `--inputs` adds: those of the table, those of the project too.
 const INPUTS: [&str; 2] = ["table", "all"];
@@ -88,6 +104,7 @@ pub(crate) fn sweep(command: Command, language: Language) -> Command {
         .mut_arg("out", |out| out.required(false).required_unless_present(VARY))
         .arg(values)
         .arg(steps.requires(VARY))
+        .arg(text(STEP, values::quantity(language), help::sweep_step(language)).requires(VARY))
         .arg(inputs)
         .arg(flag("decimal-comma", help::sweep_decimal_comma(language)).requires("out"))
 }

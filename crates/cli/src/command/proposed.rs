@@ -267,6 +267,9 @@ impl Called<'_> {
     /// that is meant.
     pub(super) fn calls_instead_of(&self, word: &str, meant: Option<&str>, arguments: &[OsString]) -> Vec<String> {
         let texts: Vec<&str> = arguments.iter().filter_map(|word| word.to_str()).collect();
+        if let Some(call) = self.call_of_setpoints(word, &texts) {
+            return vec![call];
+        }
         let others = self.calls_without_project(word, arguments);
         if !others.is_empty() {
             return others;
@@ -437,6 +440,26 @@ impl Called<'_> {
 
     fn example_range(&self) -> ExampleRange {
         example_range(&self.project_text().and_then(|text| written(&text)).unwrap_or_default())
+    }
+
+    /// Returns the call that writes the set-points of a motion, if a word of a call asks for them: `--setpoints`, `--motion`, or the
+    /// table of the motion for a drive.
+    fn call_of_setpoints(&self, word: &str, texts: &[&str]) -> Option<String> {
+        let name = |text: &str| text.strip_prefix("--").map(|name| name.split('=').next().unwrap_or(name).to_owned());
+        let is_asked = |text: &&str| name(text).is_some_and(|name| words::spoken::is_setpoints(&name));
+        let of_table = || {
+            let table =
+                texts.windows(2).any(|pair| matches!(pair, ["--table", table] if words::spoken::is_setpoints(table)));
+            table && name(word).as_deref() == Some("for")
+        };
+        if !texts.iter().any(is_asked) && !of_table() {
+            return None;
+        }
+        let project = self.projects.first()?.to_str()?;
+        let axis = texts.iter().position(|text| *text == "--axis").and_then(|place| texts.get(place + 1));
+        let axis = axis.into_iter().flat_map(|axis| ["--axis", axis]);
+        let head = [super::NAME, "moves", project].into_iter();
+        Some(typed(head.chain(axis).chain(["--every", "2ms", "--out", "setpoints.csv"])))
     }
 
     /// Returns the call with a range of one key of the project in place of a table.

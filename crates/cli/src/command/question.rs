@@ -103,8 +103,8 @@ fn sources(entry: &Entry, language: Language) -> Vec<Arg> {
         return vec![file(option, values::file(l), help).long(option)];
     }
     let words = match entry.reads {
-        // Several axes are compared by their best actuators.
-        Reads::Project if entry.command == "size" => {
+        // Several axes are compared by their best actuators, or written into one workbook.
+        Reads::Project if ["size", "export"].contains(&entry.command) => {
             vec![file("project", values::project(l), help::projects(l)).num_args(1..)]
         }
         Reads::Project => vec![file("project", values::project(l), help::project(l))],

@@ -73,7 +73,7 @@ pub(crate) fn calls(why: &Unanswered, arguments: &[OsString], whole: &Command, l
         Unanswered::Option { name: "at" | "reaction", .. } if !call.states("scenario") => {
             call.with(&["--scenario", "emergency_stop"])
         }
-        Unanswered::Option { name: "steps" | "decimal-comma", .. } => Vec::new(),
+        Unanswered::Option { name: "steps" | "step" | "decimal-comma", .. } => Vec::new(),
         Unanswered::Option { name, .. } if call.is_idle(name) => {
             call.with_needed(&effects::needs(call.command(), name))
         }

@@ -4,9 +4,10 @@ use crate::changed::{accepted, keys, motion, places, prefix};
 use crate::command::own::VARY;
 use crate::command::typed::{number_and_unit, typed};
 use project::{Heading, Hint, Unfilled, Written, key_at, written};
-use quantities::{Language, seen};
+use quantities::{Language, Unit, seen};
 use questions::list::Unanswered;
-use questions::list::new::{Method, table};
+use questions::list::new::{Method, SAMPLES_MOST, table};
+use questions::sweep::{Unstepped, stepped};
 use std::borrow::Cow;
 use words::spoken::has_decimal_commas;
 use words::{UsageHint, sweeps, terminal, usage_hint};
@@ -179,8 +180,11 @@ impl Stated {
     /// Splits values into a list or a range; a unit may stand behind the last value or behind each.
     fn of(key: &str, text: &str, language: Language) -> Result<Self, Fault> {
         let form = || (sweeps::vary_form(&seen(text), language), Some(sweeps::vary_form_hint(language).to_owned()));
+        let whole = text;
         let (text, is_log) = text.strip_suffix("log").map_or((text, false), |text| (text.trim(), true));
-        let is_time = |(low, high): &(&str, &str)| number_and_unit(low).0 == *low && !high.contains(':');
+        let (text, step) = apart(text);
+        let is_time =
+            |(low, high): &(&str, &str)| (step.is_some() || number_and_unit(low).0 == *low) && !high.contains(':');
         let dashed = || {
             let (low, high) = text.split_once(['-', '–'])?;
             let is_number = |text: &str| text.starts_with(|sign: char| sign.is_ascii_digit());
@@ -206,16 +210,86 @@ impl Stated {
             }
         }
         units.dedup();
+        if let Some(step) = step {
+            if units.len() > 1 || range.is_none() {
+                return Err(form());
+            }
+            return Self::stepped((key, whole), &values, (with_point(step), units.pop(), is_log), language);
+        }
         if units.len() > 1 || values.iter().any(String::is_empty) {
             return Err(form());
         }
         Ok(Self { values, is_range: range.is_some(), is_log, unit: units.pop().unwrap_or_default() })
     }
 
+    /// Returns the values of a range at a step, whose unit may be another one of the same quantity.
+    fn stepped(
+        (key, whole): (&str, &str),
+        ends: &[String],
+        (step, unit, is_log): (Cow<'_, str>, Option<String>, bool),
+        language: Language,
+    ) -> Result<Self, Fault> {
+        let shown = seen(whole);
+        let (number, own) = number_and_unit(step.trim());
+        let unit = unit.unwrap_or_else(|| own.to_owned());
+        let number = if own.is_empty() || own == unit {
+            number.to_owned()
+        } else {
+            let converted = Unit::of(own).zip(Unit::of(&unit)).and_then(|(from, to)| in_unit(number, from, to));
+            let other = || (sweeps::step_of_another_quantity(&seen(step.trim()), &shown, language), None);
+            converted.ok_or_else(other)?
+        };
+        if is_log {
+            return Err((sweeps::step_of_log(&shown, language), None));
+        }
+        let [low, high] = ends else { return Err((sweeps::vary_form(&shown, language), None)) };
+        let call = |values: &[&str]| change(key, &format!("{}{unit}", values.join(":")));
+        match stepped(low, high, &number) {
+            Ok(values) => Ok(Self { values, is_range: false, is_log: false, unit }),
+            Err(Unstepped::Missed(nearest)) => {
+                // `30:5:60` has its step in the middle, as other programs write it.
+                let is_middle = stepped(low, &number, high).is_ok_and(|values| values.len() > 2);
+                let calls: Vec<String> = match is_middle {
+                    true => vec![call(&[low, &number, high])],
+                    false => nearest.iter().map(|step| call(&[low, high, step])).collect(),
+                };
+                let hint = usage_hint(&UsageHint::Calls(calls), language);
+                Err((sweeps::step_misses(&shown, &format!("{number} {unit}").trim(), language), Some(hint)))
+            }
+            Err(Unstepped::NoNumber | Unstepped::TooMany) => {
+                Err((sweeps::step_too_small(&shown, &seen(&step), &SAMPLES_MOST, language), None))
+            }
+        }
+    }
+
     /// Returns the last value with its unit.
     fn last(&self, unit: &str) -> String {
         format!("{} {unit}", self.values.last().map_or("", String::as_str)).trim().to_owned()
     }
+}
+
+/// Splits the step off a range that states one: `30..60:5kg`, `30:60:5kg`.
+fn apart(text: &str) -> (&str, Option<&str>) {
+    let is_number = |text: &str| {
+        let text = text.trim();
+        text.starts_with(|sign: char| sign.is_ascii_digit() || "+-.".contains(sign))
+            && !number_and_unit(text).0.is_empty()
+    };
+    let rest = text.split_once("..").map_or_else(|| text.split_once(':'), Some);
+    let stepped = rest.and_then(|(low, rest)| Some((low, rest.split_once(':')?)));
+    match stepped.filter(|(low, (high, step))| [low, high, step].into_iter().all(|text| is_number(text))) {
+        Some((_, (_, step))) => (text.get(..text.len() - step.len() - 1).unwrap_or(text), Some(step.trim())),
+        None => (text, None),
+    }
+}
+
+/// Converts a difference between two values to another unit of its quantity, as an exact decimal number.
+fn in_unit(number: &str, from: &Unit, to: &Unit) -> Option<String> {
+    let number: f64 = number.parse().ok()?;
+    let si = from.to_si(number) - from.to_si(0.0);
+    let value = to.from_si(si) - to.from_si(0.0);
+    let rounded: f64 = format!("{value:.9e}").parse().ok()?;
+    (from.dimension == to.dimension).then(|| rounded.to_string())
 }
 
 /// Splits a list at its commas, some of which may be decimal signs. Where a unit stands behind every second piece, the commas

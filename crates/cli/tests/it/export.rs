@@ -89,13 +89,28 @@ fn a_fault_writes_nothing_and_says_what_helps() {
     assert_eq!(names(folder.path()), ["x.xlsx"]);
 }
 
+/// A workbook has every axis, of one project or of several; a table and a code belong to one axis.
 #[test]
-fn of_two_axes_one_is_named() {
+fn of_two_axes_a_workbook_has_both_and_a_table_one() {
     let folder = tempfile::tempdir().unwrap();
-    let out = path(folder.path(), "lift.xlsx");
+    let at = |name: &str| path(folder.path(), name);
+    let out = at("both.xlsx");
     let both = run(&["export", "examples/two-axes.toml", "--out", &out]);
-    assert_eq!(both.code, 2);
-    assert!(both.err.contains("swivel, lift"), "{}", both.err);
+    assert!(both.code < 2 && both.out.contains("swivel: ") && both.out.contains("lift: "), "{}{}", both.out, both.err);
+    let again = run(&["export", "examples/two-axes.toml", "--out", &out]);
+    assert_eq!(again.code, 2, "an existing file is kept");
+    let json = run(&["export", PROJECT, "examples/tilting-arm.toml", "--out", &at("two.xlsx"), "--json"]);
+    let json: Value = serde_json::from_str(&json.out).unwrap();
+    assert_eq!((json["axes"].as_array().unwrap().len(), &json["code"]), (2, &Value::Null));
+    assert!(json["axes"][1]["tables"].as_array().unwrap().len() == 7 && json["axes"][0]["axis"] != "", "{json}");
+    let codes = run(&["export", "examples/two-axes.toml", "--code", "CHA-25A-100-H-C1024", "--out", &at("c.xlsx")]);
+    assert!(codes.code == 2 && codes.err.contains("--axis lift"), "{}", codes.err);
+    for call in [&["examples/two-axes.toml"][..], &[PROJECT, "examples/tilting-arm.toml"]] {
+        let table = run(&[&["export"], call, &["--table", "checks", "--out", &at("t.csv")]].concat());
+        assert!(table.code == 2 && table.err.contains(".xlsx"), "{}", table.err);
+    }
+    assert_eq!(names(folder.path()), ["both.xlsx", "two.xlsx"]);
+    let out = at("lift.xlsx");
     assert_eq!(run(&["export", "examples/two-axes.toml", "--axis", "lift", "--out", &out]).code, 0);
     let inputs = run(&["export", "examples/two-axes.toml", "--axis", "lift", "--table", "inputs"]).out;
     assert!(inputs.contains("axis[2].mechanism.belt.mass") && !inputs.contains("axis[1]"), "{inputs}");

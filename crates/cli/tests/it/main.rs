@@ -23,6 +23,7 @@ mod refusals;
 mod run;
 mod saving;
 mod serve;
+mod setpoints;
 mod sigrok;
 mod spoken;
 mod sweep;

@@ -63,6 +63,17 @@ fn a_range_is_divided_into_steps() {
         ),
         (&["mass=10:20 kg", "--steps", "3"], &["10.0", "15.0", "20.0"]),
         (&["mass=5..20 kg log", "--steps", "3"], &["5.0", "10.0", "20.0"]),
+        // A range with its step, by every way to write it.
+        (&["mass=10:20:2.5kg"], &["10.0", "12.5", "15.0", "17.5", "20.0"]),
+        (&["mass=10kg:20kg:5000g"], &["10.0", "15.0", "20.0"]),
+        (&["mass=10kg..20kg:5kg"], &["10.0", "15.0", "20.0"]),
+        (&["mass=10-20:5 kg"], &["10.0", "15.0", "20.0"]),
+        (&["mass=10..20:5kg"], &["10.0", "15.0", "20.0"]),
+        (&["mass=10..20kg", "--step", "5kg"], &["10.0", "15.0", "20.0"]),
+        (&["mass=10..20kg", "--step=5"], &["10.0", "15.0", "20.0"]),
+        (&["mass=20..10kg", "--step", "2,5kg"], &["20.0", "17.5", "15.0", "12.5", "10.0"]),
+        (&["mass=10..10.3kg", "--step", "100g"], &["10.0", "10.1", "10.2", "10.3"]),
+        (&["ambient=20..30degC", "--step", "5K"], &["20.0", "25.0", "30.0"]),
     ] {
         let call = [&["--vary"], words, &["--out", "steps.csv", "--force"]].concat();
         let found = sweep(folder.path(), &call);
@@ -119,6 +130,13 @@ fn a_statement_that_is_not_understood_is_refused_with_what_to_write() {
         ("mas=1kg,2kg", "en", &["mechanism.belt.mass"]),
         ("mass=0,5kg", "de", &["mehrdeutig", "mass=0;5kg", "mass=0.5kg"]),
         ("motion[3].time=1s,2s", "en", &["motion[3]", "no such entry"]),
+        ("mass=30:60:7kg", "en", &["steps of 7 kg", "mass=30:60:6kg", "mass=30:60:7.5kg"]),
+        ("mass=30:5:60kg", "en", &["mass=30:60:5kg"]),
+        ("mass=30:60:5", "en", &["no unit", "mechanism.belt.mass=30:60:5 kg"]),
+        ("mass=30:60:0kg", "en", &["above zero"]),
+        ("mass=30:60:1s", "en", &["unit"]),
+        ("mass=30kg:60kg:1s", "de", &["andere Größe"]),
+        ("mass=30:60:5kg log", "de", &["--steps"]),
     ] {
         let found = sweep(folder.path(), &["--vary", statement, "--lang", language]);
         assert_eq!((found.code, found.out.as_str()), (2, ""), "{statement}: {}", found.err);
@@ -130,5 +148,32 @@ fn a_statement_that_is_not_understood_is_refused_with_what_to_write() {
     for statement in ["masse=10,20,30kg", "masse=10;20,5kg"] {
         let found = sweep(folder.path(), &["--vary", statement, "--lang", "de"]);
         assert!(found.code < 2, "{statement}: {}", found.err);
+    }
+}
+
+/// A step that no single range takes is refused, and one beside a number of steps.
+#[test]
+fn a_step_belongs_to_one_range() {
+    let folder = folder();
+    for (words, part) in [
+        (&["--vary", "mass=10,20,30kg", "--step", "5kg"][..], "one range"),
+        (&["--vary", "mass=10..20kg", "--vary", "time=1..2s", "--step", "5kg"], "one range"),
+        (&["--vary", "mass=10:20:5kg", "--step", "5kg"], "one range"),
+        (&["--vary", "mass=10:20:5kg", "--steps", "3"], "range"),
+        (&["--vary", "mass=10..20kg", "--steps", "3", "--step", "5kg"], "--step"),
+        (&["--vary", "mass=10..20kg", "--step", "x"], "one range"),
+        (&["--vary", "mass=10..20kg", "--step", "3kg"], "--vary mass=10..20kg:2.5kg"),
+    ] {
+        let found = sweep(folder.path(), words);
+        assert_eq!((found.code, found.out.as_str()), (2, ""), "{words:?}: {}", found.err);
+        assert!(found.err.contains(part), "{words:?}: {}", found.err);
+    }
+    // By the name of the key too.
+    let found = sweep(folder.path(), &["--mass", "10:20:5", "--json"]);
+    assert_eq!(found.code, 2, "{}", found.err);
+    for words in [&["--mass", "10:20:5kg"][..], &["--mass", "10..20kg", "--step", "5kg"]] {
+        let found = sweep(folder.path(), &[words, &["--json"]].concat());
+        let json: Value = serde_json::from_str(&found.out).unwrap_or_default();
+        assert_eq!(json["rows"], 3, "{words:?}: {}", found.err);
     }
 }

@@ -10,7 +10,7 @@ use questions::list::{
 use questions::{Refusal, Rejected};
 use std::borrow::Cow;
 use std::convert::Infallible;
-use tables::{Format, Front, Subject};
+use tables::{AxisSheets, Format, Front, Subject};
 use words::{requests, simulation, terminal};
 
 /// Makes an answer.
@@ -172,26 +172,33 @@ fn tabled(inquiry: &Inquiry<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered>
         }
         (Format::Workbook, None) | (Format::Json | Format::Csv | Format::Parquet, Some(_)) => {}
     }
-    let (axis, project) = args.axis(inquiry)?;
-    format.within(&project, table, shell.files().grant().memory)?;
-    let sizing = questions::list::size::sized(&project, args.top, Rejected::All, inquiry.progress)?;
-    let chosen = questions::candidate_for(&project, args.code.as_ref(), || Ok(Cow::Borrowed(&sizing)))?;
-    let source = inquiry.source()?;
-    let (text, top) = (source.text(language)?, args.top);
-    let subject = Subject { text, axis, project: &project, sizing: &sizing, chosen: &chosen, top, language };
+    let axes = args.axes(inquiry)?;
+    for (_, (_, project)) in &axes {
+        format.within(project, table, shell.files().grant().memory)?;
+    }
+    let mut sizings = Vec::new();
+    for (_, (_, project)) in &axes {
+        sizings.push(questions::list::size::sized(project, args.top, Rejected::All, inquiry.progress)?);
+    }
+    let mut all_chosen = Vec::new();
+    for ((_, (_, project)), sizing) in axes.iter().zip(&sizings) {
+        all_chosen.push(questions::candidate_for(project, args.code.as_ref(), || Ok(Cow::Borrowed(sizing)))?);
+    }
+    let mut subjects = Vec::new();
+    for (((place, (axis, project)), sizing), chosen) in axes.iter().zip(&sizings).zip(&all_chosen) {
+        let Some(source) = inquiry.sources.get(*place) else { continue };
+        let (text, top) = (source.text(language)?, args.top);
+        let subject = Subject { text, axis: *axis, project, sizing, chosen, top, language };
+        let (revision, date) = (args.revision.as_deref(), args.date);
+        subjects.push((subject, Front { file: &source.name, revision, date, project, chosen, language }));
+    }
     let not_written = |error: tables::WriteError| Unanswered::message(error.message(language));
     let Some(name) = table else {
-        let front = Front {
-            file: &source.name,
-            revision: args.revision.as_deref(),
-            date: args.date,
-            project: &project,
-            chosen: &chosen,
-            language,
-        };
-        let bytes = tables::xlsx(&subject.tables(), &front).map_err(not_written)?;
+        let sheets = subjects.iter().map(|(subject, front)| AxisSheets { tables: subject.tables(), front: *front });
+        let bytes = tables::xlsx_of_axes(sheets.collect(), language).map_err(not_written)?;
         return Ok(Reply::of(200, media::XLSX, bytes).saved_as("antrieb.xlsx"));
     };
+    let (subject, _) = subjects.first().ok_or(Refusal::NoData)?;
     let table = subject.table(name, format).ok_or(Refusal::NoData)?;
     Ok(match format {
         Format::Csv => Reply::of(200, media::CSV, tables::csv(&table)).saved_as(&format!("{name}.csv")),

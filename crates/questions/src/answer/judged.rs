@@ -86,7 +86,7 @@ pub fn judgement(
     Judgement {
         candidate: candidate(judged, language),
         axis: project.name.clone(),
-        motion: motion(&crate::moves(project), language),
+        motion: motion(&crate::moves(project), None, language),
         reserve: reserve(found, judged, language),
         tolerance: assessment.map(|found| tolerance(project, found, language)),
         assumptions: assumptions_about(project, judged, language),
@@ -143,7 +143,7 @@ pub fn sizing(
         would_fit_with: gearing_proposals.iter().map(would_fit).collect(),
         assumptions: assumptions(project, language),
         stage: stage(project),
-        motion: motion(&crate::moves(project), language),
+        motion: motion(&crate::moves(project), None, language),
     }
 }
 

@@ -1,22 +1,44 @@
 //! The motion as a record.
 
 use crate::moves::{Move, Moves};
+use crate::setpoints::Setpoints;
 use answers::{ColumnRole, Number, RecordedColumn, Recording, Segment, TextEncoding, UnitBy, Units};
 use axis::{RecordingRead, SegmentLoadKey};
 use quantities::unit::SECOND;
-use quantities::{Language, Measure};
+use quantities::{Language, Measure, Unit};
 use recording::{Encoding, KnownBy, Role};
 use words::law_text;
 
 /// Returns every segment with stated and derived values.
 #[must_use]
-pub fn motion(moves: &Moves<'_>, language: Language) -> answers::Motion {
+pub fn motion(moves: &Moves<'_>, setpoints: Option<answers::Setpoints>, language: Language) -> answers::Motion {
     let [distance, speed, acceleration] = moves.units;
     let mut units = vec![("time", &SECOND), ("distance", distance), ("speed", speed), ("acceleration", acceleration)];
     units.extend(moves.loads.iter().map(|load| (load.id(), load.unit())));
     answers::Motion {
         units: Units::of(&units),
         segments: moves.moves.iter().map(|each| segment(each, moves, language)).collect(),
+        setpoints,
+    }
+}
+
+/// Returns the record of set-points, of those in a file without their rows.
+#[must_use]
+pub fn setpoints(found: &Setpoints, file: Option<String>) -> answers::Setpoints {
+    let [time, position, speed, acceleration] = found.units;
+    let column = |place: usize, unit: &'static Unit| -> Vec<Number> {
+        let rows = found.rows.iter().filter(|_| file.is_none());
+        rows.filter_map(|row| Some(Number::in_unit(*row.get(place)?, unit))).collect()
+    };
+    answers::Setpoints {
+        units: Units::of(&[("time", time), ("position", position), ("speed", speed), ("acceleration", acceleration)]),
+        every: Number::in_unit(found.every.si(), time),
+        rows: found.rows.len(),
+        time: column(0, time),
+        position: column(1, position),
+        speed: column(2, speed),
+        acceleration: column(3, acceleration),
+        file,
     }
 }
 

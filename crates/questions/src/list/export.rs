@@ -16,7 +16,7 @@ pub const TABLES: [&str; 7] = ["inputs", "assumptions", "demand", "motion", "can
 pub const FORMATS: [&str; 4] = ["json", "csv", "parquet", "xlsx"];
 
 arguments! {
-    /// Arguments of `export`: axis, actuator, tables.
+    /// Arguments of `export`: axes, actuator, tables.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
@@ -51,21 +51,42 @@ pub static ENTRY: Entry = Entry {
 };
 
 impl Args {
-    /// Returns the axis to write.
+    /// Returns the axes to write, each with the place of its text among those of the call: one for a table, all for a workbook.
     ///
     /// # Errors
-    /// Faults of the project, several axes without a name.
-    pub fn axis(&self, inquiry: &Inquiry<'_>) -> Result<PlacedAxis, Unanswered> {
+    /// Faults of the projects, several axes without a name for a table or with a code.
+    pub fn axes(&self, inquiry: &Inquiry<'_>) -> Result<Vec<(usize, PlacedAxis)>, Unanswered> {
         let is_table = self.table.is_some();
         Unanswered::unless_right([
             ("revision", is_table && self.revision.is_some(), requests::of_a_workbook_only(inquiry.language)),
             ("date", is_table && self.date.is_some(), requests::of_a_workbook_only(inquiry.language)),
         ])?;
-        let axes = inquiry.axes_of(inquiry.source()?, self.axis.as_deref())?;
-        let axis = inquiry.only(axes, |names| terminal::export_is_of_one_axis(&names, inquiry.language))?;
+        inquiry.source()?;
+        let (mut axes, mut faults) = (Vec::new(), Vec::new());
+        for (place, source) in inquiry.sources.iter().enumerate() {
+            match inquiry.axes_of(source, self.axis.as_deref()) {
+                Ok(found) => axes.extend(found.into_iter().map(|axis| (place, axis))),
+                Err(fault) => faults.push(fault),
+            }
+        }
+        if !faults.is_empty() {
+            return Err(Unanswered::combined(faults));
+        }
+        let name = |(_, (_, project)): &(usize, PlacedAxis)| project.name.clone();
+        let names = || axes.iter().map(name).collect();
+        if axes.len() > 1 && is_table {
+            return Err(Unanswered::which_axis(names(), |names| {
+                terminal::table_is_of_one_axis(&names, inquiry.language)
+            }));
+        }
+        if axes.len() > 1 && self.code.is_some() {
+            return Err(Unanswered::which_axis(names(), |names| {
+                terminal::code_is_for_one_axis(&names, inquiry.language)
+            }));
+        }
         let cost = if self.table.as_deref() == Some("course") { Cost::Course } else { Cost::Workbook };
-        inquiry.within(cost, [&axis])?;
-        Ok(axis)
+        inquiry.within(cost, axes.iter().map(|(_, axis)| axis))?;
+        Ok(axes)
     }
 }
 

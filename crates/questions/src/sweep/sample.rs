@@ -1,6 +1,7 @@
 //! Tables of rows for a sweep: grids and seeded samples of stated keys and ranges.
 
 use super::csv;
+use super::stepped::{Unstepped, stepped};
 use crate::list::Unanswered;
 use project::{Counted, Heading};
 use quantities::{Language, identified};
@@ -144,6 +145,13 @@ fn column(written: &str, counted: Counted, language: Language) -> Result<Column,
     let values = values.trim();
     let is_number = read.as_ref().is_some_and(Heading::is_number);
     if let Some((low, high)) = values.split_once("..") {
+        if let Some((high, step)) = high.split_once(':').filter(|_| is_number) {
+            let listed = stepped(low, high, step).map_err(|why| match why {
+                Unstepped::NoNumber => wrong(),
+                why => unstepped((values, step.trim()), &why, language),
+            })?;
+            return Ok(Column { heading: heading.to_owned(), values: Values::Listed(listed) });
+        }
         let (high, is_log) = high.trim().strip_suffix("log").map_or((high, false), |high| (high, true));
         let number = |text: &str| text.trim().parse::<f64>().ok().filter(|number| number.is_finite());
         let (low, high) = number(low).zip(number(high)).filter(|_| is_number).ok_or_else(wrong)?;
@@ -157,6 +165,19 @@ fn column(written: &str, counted: Counted, language: Language) -> Result<Column,
         return Err(wrong());
     }
     Ok(Column { heading: heading.to_owned(), values: Values::Listed(listed) })
+}
+
+/// Returns the refusal of a step that does not divide a range, with the nearest steps that do.
+fn unstepped((values, step): (&str, &str), why: &Unstepped, language: Language) -> (String, Option<String>) {
+    match why {
+        Unstepped::Missed(nearest) => {
+            let hint = (!nearest.is_empty()).then(|| sweeps::steps_that_meet(&nearest.join(", "), language));
+            (sweeps::step_misses(&values, &step, language), hint)
+        }
+        Unstepped::NoNumber | Unstepped::TooMany => {
+            (sweeps::step_too_small(&values, &step, &SAMPLES_MOST, language), None)
+        }
+    }
 }
 
 /// Returns the shares of the ranges for each row.
@@ -336,6 +357,9 @@ mod tests {
         let expected = "load.inertia [kg m^2],motion[1].law\n0.1,trapezoid\n0.1,polynomial_5\n1,trapezoid\n1,polynomial_5\n\
             10,trapezoid\n10,polynomial_5\n";
         assert_eq!(text, expected);
+        let stepped = "load.inertia [kg m^2] = 0.1..0.3:0.1";
+        let text = table(std::iter::once(stepped), Method::Grid, 11, 1, Language::En).unwrap();
+        assert_eq!(text, "load.inertia [kg m^2]\n0.1\n0.2\n0.3\n");
         let drawn = table(keys.into_iter(), Method::Sobol, 8, 1, Language::En).unwrap();
         assert_eq!(drawn.lines().count(), 17);
     }
@@ -345,6 +369,12 @@ mod tests {
         let wrong = ["load.inertia = 1..2", "load.inertai [kg m^2] = 1..2", "load.inertia [kg m^2] = a..b", "x"];
         let why = table(wrong.into_iter(), Method::Grid, 3, 1, Language::En).unwrap_err();
         assert_eq!(why.faults(None, Language::En).errors.len(), 4);
+        for (wrong, named) in [("0..1:0.3", "0.25, 0.5"), ("0..1e9:1", ""), ("0..9:0", "")] {
+            let why =
+                table(std::iter::once(&*format!("load.inertia [kg m^2] = {wrong}")), Method::Grid, 3, 1, Language::En);
+            let why = format!("{:?}", why.unwrap_err());
+            assert!(why.contains(named), "{wrong}: {why}");
+        }
         let many = ["load.inertia [kg m^2] = 1..2", "motion[1].time [s] = 1..2"];
         assert!(table(many.into_iter(), Method::Grid, 10_000, 1, Language::En).is_err());
     }

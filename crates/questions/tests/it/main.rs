@@ -50,6 +50,7 @@ mod recorded_noise;
 mod recorded_side;
 mod rejections;
 mod segment_loads;
+mod setpoints;
 mod simulate;
 mod simulated;
 mod units_in_rows;

@@ -44,7 +44,7 @@ fn loads_of_segments_are_added_and_shown_as_they_act() {
             for (split, whole) in demand(&split).into_iter().zip(demand(&whole)) {
                 assert!((split - whole).abs() < 1e-9 * whole.abs(), "{} {split} {whole}", line.0);
             }
-            let answer = questions::answer::motion(&questions::moves(&split), Language::En);
+            let answer = questions::answer::motion(&questions::moves(&split), None, Language::En);
             for segment in &answer.segments {
                 assert_eq!(
                     [segment.payload, segment.process_force, segment.external_torque],
@@ -55,7 +55,7 @@ fn loads_of_segments_are_added_and_shown_as_they_act() {
                 assert_eq!(segment.payload_inertia, None);
             }
             assert_eq!(answer.units.unit("process_force"), Some("N"));
-            let answer = questions::answer::motion(&questions::moves(&whole), Language::En);
+            let answer = questions::answer::motion(&questions::moves(&whole), None, Language::En);
             assert!(answer.segments.iter().all(|segment| segment.process_force.is_none()), "nothing is stated");
         }
     }

@@ -16,7 +16,12 @@ const BLUE: &str = "1F4E9C";
 const RED: &str = "A2222B";
 
 /// Writes a sheet with the charts; `None` if there is nothing to draw.
-pub(super) fn sheet(tables: &[Table], chosen: &str, language: Language) -> Result<Option<Worksheet>, WriteError> {
+pub(super) fn sheet(
+    tables: &[Table],
+    chosen: &str,
+    title: &str,
+    language: Language,
+) -> Result<Option<Worksheet>, WriteError> {
     let table = |name: &str| tables.iter().find(|table| table.name == name);
     let charts = [
         table("course").and_then(|table| course(table, language)),
@@ -26,7 +31,7 @@ pub(super) fn sheet(tables: &[Table], chosen: &str, language: Language) -> Resul
         return Ok(None);
     }
     let mut sheet = Worksheet::new();
-    sheet.set_name(tables::charts(language))?;
+    sheet.set_name(title)?;
     let mut row = 0;
     for mut chart in charts.into_iter().flatten() {
         chart.set_width(960).set_height(430);

@@ -89,10 +89,15 @@ impl Page<'_> {
     }
 }
 
-pub(super) fn sheet(tables: &[Table], front: &Front<'_>, styles: &Styles) -> Result<Worksheet, WriteError> {
+pub(super) fn sheet(
+    tables: &[Table],
+    front: &Front<'_>,
+    title: &str,
+    styles: &Styles,
+) -> Result<Worksheet, WriteError> {
     let l = front.language;
     let mut page = Page { sheet: Worksheet::new(), row: 0, styles, language: l };
-    page.sheet.set_name(tables::overview(l))?;
+    page.sheet.set_name(title)?;
     for (column, width) in (0_u16..).zip(WIDTHS) {
         page.sheet.set_column_width(column, width)?;
     }

@@ -11,7 +11,10 @@ use questions::{Candidate, CheckId};
 use recording::{Bytes, Layout};
 use std::io::{Cursor, Read};
 use std::path::PathBuf;
-use tables::{Cell, ColumnContent, Front, NAMES, Subject, Table, csv, parquet as to_parquet, record, xlsx};
+use tables::{
+    AxisSheets, Cell, ColumnContent, Front, NAMES, Subject, Table, csv, parquet as to_parquet, record, xlsx,
+    xlsx_of_axes,
+};
 
 struct RecordingFolder(PathBuf);
 
@@ -322,6 +325,50 @@ fn a_workbook_opens_with_every_row_and_live_formulas() {
             // The formula is the trapezoidal rule over the rows: within 2 ‰, and 5 ‰ where a crank bends the torque between them.
             let bound = if ["four-bar.toml", "slider-crank.toml"].contains(&file) { 5e-3 } else { 2e-3 };
             assert!((course / exact - 1.0).abs() < bound, "{file}: {course} {exact}");
+        });
+    }
+}
+
+/// Of several axes, also of one name, every sheet has a permitted name of its own, and every formula refers to sheets of its axis.
+#[test]
+fn a_workbook_of_several_axes_keeps_their_sheets_apart() {
+    for language in [Language::En, Language::De] {
+        each(language, 2, &mut |file, tables, front| {
+            let axes: Vec<AxisSheets<'_>> =
+                (0..3).map(|_| AxisSheets { tables: tables.to_vec(), front: *front }).collect();
+            let bytes = xlsx_of_axes(axes.clone(), language).unwrap();
+            assert!(bytes == xlsx_of_axes(axes, language).unwrap(), "{file}");
+            let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).unwrap();
+            let sheets = book.sheet_names();
+            assert_eq!(sheets.len(), 3 * (tables.len() + 2) + 2, "{file}: {sheets:?}");
+            let mut distinct: Vec<String> = sheets.iter().map(|name| name.to_lowercase()).collect();
+            distinct.sort_unstable();
+            distinct.dedup();
+            assert_eq!(distinct.len(), sheets.len(), "{sheets:?}");
+            for name in &sheets {
+                assert!(
+                    name.chars().count() <= 31 && !name.contains(['[', ']', ':', '*', '?', '/', '\\', '\'']),
+                    "{name}"
+                );
+            }
+            let mut referred = 0;
+            for of_axis in sheets[1..sheets.len() - 1].chunks(tables.len() + 2) {
+                for name in of_axis {
+                    let formulas = book.worksheet_formula(name).unwrap();
+                    for (_, _, formula) in formulas.used_cells() {
+                        for other in formula.split('\'').skip(1).step_by(2) {
+                            assert!(of_axis.iter().any(|own| own == other), "{file} {name}: {formula}");
+                            referred += 1;
+                        }
+                    }
+                }
+            }
+            assert!(referred >= 3 || !sheets.iter().any(|name| name.contains("Time series")), "{file}");
+            let first = book.worksheet_range(&sheets[0]).unwrap();
+            let code = Data::String(front.chosen.id.to_string());
+            assert_eq!(first.rows().filter(|row| row.contains(&code)).count(), 3, "{file}");
+            let one = xlsx_of_axes(vec![AxisSheets { tables: tables.to_vec(), front: *front }], language).unwrap();
+            assert!(one == xlsx(tables, front).unwrap(), "{file}: one axis is the workbook of one");
         });
     }
 }
