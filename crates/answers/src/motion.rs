@@ -12,12 +12,12 @@ pub struct Motion {
     pub units: Units,
     /// Segments in their order.
     pub segments: Vec<Segment>,
-    /// Set-points at equal steps; only if a step is stated.
+    /// Setpoints at equal steps; only if a step is stated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub setpoints: Option<Setpoints>,
 }
 
-/// Set-points of the motion over one cycle, its end included.
+/// Setpoints of the motion over one cycle, its end included.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Setpoints {
     /// Units of time, position, speed and acceleration.

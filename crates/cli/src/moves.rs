@@ -1,4 +1,4 @@
-//! The resulting motion as text, and its set-points as a table.
+//! The resulting motion as text, and its setpoints as a table.
 
 use crate::answer::{CommandAnswer, written};
 use crate::call::Call;

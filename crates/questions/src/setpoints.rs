@@ -1,4 +1,4 @@
-//! Set-points of a motion at the cycle of a controller.
+//! Setpoints of a motion at the cycle of a controller.
 
 use crate::moves::Moves;
 use axis::AxisProject;
@@ -11,7 +11,7 @@ pub const SETPOINTS_MOST: usize = 1_000_000;
 /// Share of a step within which the end of the cycle lies on a step: rounding only.
 const SAME_INSTANT: f64 = 1e-6;
 
-/// Set-points over one cycle, its end included.
+/// Setpoints over one cycle, its end included.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setpoints {
     /// Time between two rows.
@@ -26,7 +26,7 @@ pub struct Setpoints {
     pub rest: Option<Time>,
 }
 
-/// Reason why a motion has no set-points at a step.
+/// Reason why a motion has no setpoints at a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoSetpoints {
     /// The step is no positive time.
@@ -51,7 +51,7 @@ fn without_rounding(rows: &mut [[f64; 4]]) {
     }
 }
 
-/// Returns the set-points of a motion at equal steps: closed forms of its laws, a recording with linear speed between its samples.
+/// Returns the setpoints of a motion at equal steps: closed forms of its laws, a recording with linear speed between its samples.
 ///
 /// # Errors
 /// A step that is not positive or too small.

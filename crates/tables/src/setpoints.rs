@@ -1,4 +1,4 @@
-//! Set-points of a motion as a table.
+//! Setpoints of a motion as a table.
 
 use crate::rows::Rows;
 use crate::subject::titled;
@@ -7,7 +7,7 @@ use quantities::Language;
 use questions::Setpoints;
 use words::{Word, capitalised, tables, terms};
 
-/// Returns the set-points of a motion: time, position, speed and acceleration in the units of the axis.
+/// Returns the setpoints of a motion: time, position, speed and acceleration in the units of the axis.
 #[must_use]
 pub fn setpoints(setpoints: &Setpoints, language: Language) -> Table {
     let speed: Word = if setpoints.turns { terms::rotary_speed } else { terms::linear_speed };

@@ -11,6 +11,7 @@ use crate::error::WriteError;
 use crate::format;
 use crate::table::{Column, Table};
 use cover::Front;
+pub use overall::AxisSheets;
 use paper::{Paper, height, lines};
 use quantities::Language;
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Workbook, Worksheet};
@@ -35,15 +36,6 @@ pub fn xlsx(tables: &[Table], front: &Front<'_>) -> Result<Vec<u8>, WriteError> 
     }
     workbook.push_worksheet(meanings(&columns(tables, language), &styles, language)?);
     Ok(workbook.save_to_buffer()?)
-}
-
-/// Tables of one axis of several, with what its first sheet contains beside them.
-#[derive(Clone, Debug)]
-pub struct AxisSheets<'a> {
-    /// Tables.
-    pub tables: Vec<Table>,
-    /// First sheet.
-    pub front: Front<'a>,
 }
 
 /// Writes a workbook of several axes: a sheet with a row for each, the sheets of a workbook of each one with its name in their

@@ -84,11 +84,11 @@ texts! {
         | "Zusätzlich diese Anzahl Tage mit den mittleren Verlusten des Zyklus rechnen: Temperaturen über den Tag, Energie";
     simulate_hours = "Operation per day in hours (24)" | "Betriebsstunden je Tag (24)";
     moves_every =
-        "Set-points at the cycle of a controller, such as 2ms: time, position, speed, acceleration in the units of the axis"
+        "Setpoints at the cycle of a controller, such as 2ms: time, position, speed, acceleration in the units of the axis"
         | "Sollwerte im Takt einer Steuerung, etwa 2ms: Zeit, Position, Geschwindigkeit, Beschleunigung in den Einheiten der Achse";
-    moves_out = "Write the set-points as .csv or .parquet" | "Sollwerte als .csv oder .parquet schreiben";
+    moves_out = "Write the setpoints as .csv or .parquet" | "Sollwerte als .csv oder .parquet schreiben";
     setpoints_by_moves(call) =
-        "Set-points for a controller, in the units of the axis: {call}"
+        "Setpoints for a controller, in the units of the axis: {call}"
         | "Sollwerte für eine Steuerung, in den Einheiten der Achse: {call}";
     simulate_every =
         "Sampling interval of the trace (\"1 ms\")" | "Abtastintervall des Verlaufs (\"1 ms\")";

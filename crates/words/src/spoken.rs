@@ -519,7 +519,7 @@ pub fn is_pause(word: &str) -> bool {
     ["pause", "dwell", "rest", "wait", "stillstand", "rast", "wartezeit"].contains(&&*word.to_lowercase())
 }
 
-/// Returns `true` if a word names the set-points of a motion.
+/// Returns `true` if a word names the setpoints of a motion.
 #[must_use]
 pub fn is_setpoints(word: &str) -> bool {
     const NAMES: [&str; 11] = [

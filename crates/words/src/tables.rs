@@ -144,9 +144,9 @@ texts! {
     speed_per_minute = "speed in min⁻¹" | "Drehzahl in min⁻¹";
     checks_chart = "Utilisation of the checks, 100 % is the limit" | "Auslastung der Nachweise, 100 % ist die Grenze";
     date_format = "yyyy-mm-dd" | "dd.mm.yyyy";
-    setpoints = "set-points" | "Sollwerte";
+    setpoints = "setpoints" | "Sollwerte";
     setpoints_about =
-        "set-points of the motion at the cycle of a controller, by the closed form of its laws at every instant"
+        "setpoints of the motion at the cycle of a controller, by the closed form of its laws at every instant"
         | "Sollwerte der Bewegung im Takt einer Steuerung, in jedem Zeitpunkt aus der geschlossenen Form der Bewegungsgesetze";
     overview = "Overview" | "Übersicht";
     t_rms_from_the_course = "T_rms from the time series" | "T_rms aus dem Verlauf";

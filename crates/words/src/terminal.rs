@@ -175,17 +175,17 @@ texts! {
     not_scaled(axis, why, others) = "axis {axis}: {why}; select another axis with --axis: {others}" | "Achse {axis}: {why}; eine andere Achse mit --axis wählen: {others}";
     change_of_another_axis(path, axis, own) = "{path} is a value of the axis {axis}; the call is about {own} (--axis {axis})" | "{path} ist ein Wert der Achse {axis}; der Aufruf gilt für {own} (--axis {axis})";
     no_result_of_new(call) = "no actuator fits ({call})" | "kein Antrieb geeignet ({call})";
-    ending_of_setpoints = "set-points are a .csv or .parquet file" | "Sollwerte sind eine Datei .csv oder .parquet";
-    setpoints_call(call) = "set-points for a controller: {call}" | "Sollwerte für eine Steuerung: {call}";
+    ending_of_setpoints = "setpoints are a .csv or .parquet file" | "Sollwerte sind eine Datei .csv oder .parquet";
+    setpoints_call(call) = "setpoints for a controller: {call}" | "Sollwerte für eine Steuerung: {call}";
     setpoints_written(file, rows, every) =
-        "{file}: {rows} set-points, every {every} ms" | "{file}: {rows} Sollwerte im Takt von {every} ms";
+        "{file}: {rows} setpoints, every {every} ms" | "{file}: {rows} Sollwerte im Takt von {every} ms";
     setpoints_rest(cycle, every, rest) =
         "the cycle of {cycle} s is no multiple of {every} ms: the last row is {rest} ms behind the one before"
         | "der Zyklus von {cycle} s ist kein Vielfaches von {every} ms: die letzte Zeile liegt {rest} ms hinter der vorletzten";
     cycle_changed(before, after) = "cycle {before} → {after}" | "Zyklus {before} → {after}";
     moved_mass_with_payload(own, payload, sum) =
         "moved mass {own} (mechanism) + {payload} (payload) = {sum}"
-        | "bewegte Masse {own} (Mechanismus) + {payload} (Nutzlast) = {sum}";
+        | "bewegte Masse {own} (Mechanik) + {payload} (Nutzlast) = {sum}";
     changed_for_this_call(change) = "for this call: {change}" | "für diesen Aufruf: {change}";
     values_of_a_new_project(values) =
         "not stated in the call, values of a new project: {values}"

@@ -27,7 +27,7 @@ pub(crate) fn report(command: Command, language: Language) -> Command {
     command.arg(delivered.requires("installation"))
 }
 
-/// Call that writes the set-points of a motion.
+/// Call that writes the setpoints of a motion.
 const SETPOINTS: &str = "antrieb moves axis.toml --every 2ms --out setpoints.csv";
 
 /// Accepts any name of a table: the list itself reports the valid ones.

@@ -442,7 +442,7 @@ impl Called<'_> {
         example_range(&self.project_text().and_then(|text| written(&text)).unwrap_or_default())
     }
 
-    /// Returns the call that writes the set-points of a motion, if a word of a call asks for them: `--setpoints`, `--motion`, or the
+    /// Returns the call that writes the setpoints of a motion, if a word of a call names them: `--setpoints`, `--motion`, or the
     /// table of the motion for a drive.
     fn call_of_setpoints(&self, word: &str, texts: &[&str]) -> Option<String> {
         let name = |text: &str| text.strip_prefix("--").map(|name| name.split('=').next().unwrap_or(name).to_owned());

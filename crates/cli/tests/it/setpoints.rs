@@ -1,4 +1,4 @@
-//! `moves --every`: the set-points of a motion, and the calls that lead there.
+//! `moves --every`: the setpoints of a motion, and the calls that lead there.
 #![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use crate::run::{Run, run_at};

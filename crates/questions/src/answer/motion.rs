@@ -22,7 +22,7 @@ pub fn motion(moves: &Moves<'_>, setpoints: Option<answers::Setpoints>, language
     }
 }
 
-/// Returns the record of set-points, of those in a file without their rows.
+/// Returns the record of setpoints, of those in a file without their rows.
 #[must_use]
 pub fn setpoints(found: &Setpoints, file: Option<String>) -> answers::Setpoints {
     let [time, position, speed, acceleration] = found.units;

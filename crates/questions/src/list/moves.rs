@@ -1,4 +1,4 @@
-//! `moves PROJECT`: the motion of an axis, with the solved values of every segment, and its set-points.
+//! `moves PROJECT`: the motion of an axis, with the solved values of every segment, and its setpoints.
 
 use super::given::{arguments, some, text};
 use super::{AXIS, Answer, Argument, Cost, Entry, Gives, Inquiry, OutputFile, Reads, Record, Unanswered, media};
@@ -11,11 +11,11 @@ use quantities::{Measure, Time};
 use words::{help, help::values, requests};
 
 arguments! {
-    /// Arguments of `moves`: the axis, the step of the set-points.
+    /// Arguments of `moves`: the axis, the step of the setpoints.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
-        /// The step of the set-points; without it there are none.
+        /// The step of the setpoints; without it there are none.
         every: Option<Time> = Argument::option("every", values::time, help::moves_every).signed() => some(read_quantity),
     }
 }
@@ -39,7 +39,7 @@ pub static ENTRY: Entry = Entry {
 };
 
 impl Args {
-    /// Returns the set-points at the stated step; `None` without one.
+    /// Returns the setpoints at the stated step; `None` without one.
     ///
     /// # Errors
     /// A step that is not positive or too small.

@@ -1,6 +1,7 @@
 //! Tables of rows for a sweep: grids and seeded samples of stated keys and ranges.
 
 use super::csv;
+pub use super::stepped::SAMPLES_MOST;
 use super::stepped::{Unstepped, stepped};
 use crate::list::Unanswered;
 use project::{Counted, Heading};
@@ -22,9 +23,6 @@ identified! {
         Grid = "grid",
     }
 }
-
-/// Largest number of rows.
-pub const SAMPLES_MOST: u64 = 1_000_000;
 
 /// Values of the cells of a column.
 #[derive(Clone, Debug, PartialEq)]

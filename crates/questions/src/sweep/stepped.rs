@@ -1,6 +1,7 @@
 //! Values of a range at a stated step: 30, 35 … 60.
 
-use super::sample::SAMPLES_MOST;
+/// Largest number of rows of a table.
+pub const SAMPLES_MOST: u64 = 1_000_000;
 
 /// Reason why a step does not divide a range.
 #[derive(Clone, Debug, PartialEq, Eq)]

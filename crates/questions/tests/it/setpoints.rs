@@ -1,4 +1,4 @@
-//! Set-points at the cycle of a controller, of every law of motion and of every example.
+//! Setpoints at the cycle of a controller, of every law of motion and of every example.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use axis::{AxisProject, Files};

@@ -1,9 +1,10 @@
 //! The first sheet of a workbook of several axes: a row for each, and the names of their sheets.
 
-use super::AxisSheets;
+use super::cover::Front;
 use super::paper::{Paper, height, lines};
 use super::style::{SHARE, Styles, decimals};
 use crate::error::WriteError;
+use crate::table::Table;
 use quantities::unit::{KILOGRAM, NEWTON_METRE, REVOLUTION_PER_MINUTE};
 use quantities::{Language, Measure, Unit};
 use questions::texts::{governing_text, verdict_of};
@@ -26,6 +27,15 @@ const HEAD: u32 = 2;
 
 /// Widths of the columns in characters.
 const WIDTHS: [f64; 11] = [22.0, 24.0, 28.0, 30.0, 34.0, 12.0, 12.0, 12.0, 12.0, 10.0, 12.0];
+
+/// Tables of one axis of several, with what its first sheet contains beside them.
+#[derive(Clone, Debug)]
+pub struct AxisSheets<'a> {
+    /// Tables.
+    pub tables: Vec<Table>,
+    /// First sheet.
+    pub front: Front<'a>,
+}
 
 /// Returns the names by which the sheets of each axis begin: permitted ones that differ without regard to case, short enough for
 /// the longest title behind them.

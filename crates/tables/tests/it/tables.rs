@@ -329,7 +329,7 @@ fn a_workbook_opens_with_every_row_and_live_formulas() {
     }
 }
 
-/// Of several axes, also of one name, every sheet has a permitted name of its own, and every formula refers to sheets of its axis.
+/// Sheets of several axes, also of one name, have permitted names of their own, and formulas refer to sheets of the same axis.
 #[test]
 fn a_workbook_of_several_axes_keeps_their_sheets_apart() {
     for language in [Language::En, Language::De] {
