@@ -104,8 +104,11 @@ fn sources(entry: &Entry, language: Language) -> Vec<Arg> {
     }
     let words = match entry.reads {
         // Several axes are compared by their best actuators, or written into one workbook.
-        Reads::Project if ["size", "export"].contains(&entry.command) => {
+        Reads::Project if entry.command == "size" => {
             vec![file("project", values::project(l), help::projects(l)).num_args(1..)]
+        }
+        Reads::Project if entry.command == "export" => {
+            vec![file("project", values::project(l), help::project(l)).num_args(1..)]
         }
         Reads::Project => vec![file("project", values::project(l), help::project(l))],
         Reads::TwoProjects => vec![
