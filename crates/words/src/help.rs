@@ -158,7 +158,7 @@ texts! {
     simulate_figure =
         "Picture: the trace, or the frequency responses of the control loops (simulation)"
         | "Bild: der Verlauf oder die Frequenzgänge der Regelkreise (simulation)";
-    simulate_trace = "Write the trace as .csv or .parquet; with --days the temperatures over the first and the last day, unless --signals or --every request the trace" | "Den Verlauf als .csv oder .parquet schreiben; mit --days die Temperaturen über den ersten und den letzten Tag, außer --signals oder --every verlangen den Verlauf";
+    simulate_trace = "Write the trace as .csv or .parquet; of operation over days, without signals and interval, the temperatures of the first and the last day" | "Den Verlauf als .csv oder .parquet schreiben; bei Betrieb über Tage, ohne Größen und Abtastintervall, die Temperaturen des ersten und des letzten Tages";
     code = "Read, list and complete ordering codes" | "Bestellbezeichnungen lesen, auflisten und ergänzen";
     code_parse = "Read an ordering code and explain each field" | "Eine Bestellbezeichnung lesen und jedes Feld erklären";
     code_example =
