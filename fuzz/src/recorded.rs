@@ -213,7 +213,7 @@ fn hold(text: &str, file: &[u8], past: fn(&[AxisDiagnostic]) -> bool) {
 
 fn words_all(project: &AxisProject) {
     for language in [quantities::Language::En, quantities::Language::De] {
-        let _ = answer::motion(&moves(project), language);
+        let _ = answer::motion(&moves(project), None, language);
     }
     let Ok(parsed) = order_code::parse("CHA-25A-100-H-C1024") else { return };
     let Ok(candidate) = check(project, &parsed.code) else { return };

@@ -49,6 +49,7 @@ pub struct ExportWritten {
     pub left_out: Vec<TableWritten>,
     /// Several axes, in the order of the sheets; absent for one.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(default)]
     pub axes: Vec<AxisExported>,
 }
 

@@ -15,6 +15,7 @@ pub struct Glossary {
     pub symbols: Vec<GlossarySymbol>,
     /// Checks with the requested title; only where there are some.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(default)]
     pub checks: Vec<GlossaryCheck>,
 }
 

@@ -127,8 +127,12 @@ fn a_cycle_that_the_call_does_not_name_is_echoed() {
     let mut seen = 0;
     for (name, text) in projects().into_iter().filter(|(_, text)| !text.contains("recorded")) {
         let said = echoed(&text, &["--scale", "time=0.5"], Language::En);
-        let cycle =
-            |said: &[String]| said.iter().find(|each| each.contains("cycle ") && each.contains(" s →")).cloned();
+        let cycle = |said: &[String]| {
+            let is_it = |each: &&String| {
+                each.rsplit(": ").next().is_some_and(|each| each.starts_with("cycle ")) && each.contains(" → ")
+            };
+            said.iter().find(is_it).cloned()
+        };
         if let Some(cycle) = cycle(&said)
             && let [before, after] = numbers(&cycle)[..]
         {
@@ -153,13 +157,15 @@ fn a_new_payload_is_echoed_with_the_mass_of_the_mechanism() {
         let all = written(&text).unwrap();
         let is_several = all.iter().any(|each| each.path.starts_with("axis[2]"));
         let has_payload = all.iter().any(|each| each.path.ends_with("].payload"));
-        let own = |key: &Written| key.path.starts_with("mechanism.") && key.path.ends_with("mass");
-        let of_load = all.iter().find(|each| {
-            own(each)
-                && project::LOADS.iter().any(|(table, keys)| {
-                    each.path.strip_prefix(table).is_some_and(|key| keys.contains(&key.trim_start_matches('.')))
-                })
-        });
+        let is_load = |path: &str| {
+            let of_table = |(table, keys): &(&str, &[&str])| {
+                path.strip_prefix(table).is_some_and(|key| keys.contains(&key.trim_start_matches('.')))
+            };
+            path.starts_with("mechanism.turntable.body[") || project::LOADS.iter().any(of_table)
+        };
+        let is_own =
+            |key: &&Written| key.path.ends_with("mass") && key.path.starts_with("mechanism.") && is_load(&key.path);
+        let of_load = all.iter().find(is_own);
         if said.is_empty() || is_several {
             continue;
         }

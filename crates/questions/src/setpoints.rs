@@ -35,18 +35,14 @@ pub enum NoSetpoints {
     TooMany,
 }
 
-/// Share of the largest value of a column below which a value is zero: rounding only.
+/// Share of the largest value of a move below which a value is zero: rounding only.
 const ZERO: f64 = 1e-12;
 
-/// Sets values that are zero but for rounding.
-fn without_rounding(rows: &mut [[f64; 4]]) {
-    for column in 0..4 {
-        let value = |row: &[f64; 4]| row.get(column).copied().unwrap_or_default().abs();
-        let largest = rows.iter().map(value).fold(0.0, f64::max);
-        for cell in rows.iter_mut().filter_map(|row| row.get_mut(column)) {
-            if cell.abs() < ZERO * largest {
-                *cell = 0.0;
-            }
+/// Sets values that are zero but for rounding, beside the largest of each column.
+fn without_rounding(rows: &mut [[f64; 4]], largest: [f64; 4]) {
+    for (cell, largest) in rows.iter_mut().flat_map(|row| row.iter_mut().zip(largest)) {
+        if cell.abs() < ZERO * largest {
+            *cell = 0.0;
         }
     }
 }
@@ -79,7 +75,9 @@ pub fn setpoints(project: &AxisProject, moves: &Moves<'_>, every: Time) -> Resul
     // The last step is the end itself.
     let instants = (0..=whole).map(|place| f64::from(place) * step).map(|time| time.min(end));
     let mut rows: Vec<[f64; 4]> = instants.chain(rest.map(|_| end)).map(at).collect();
-    without_rounding(&mut rows);
+    let courses = || moves.moves.iter().filter_map(|each| each.course);
+    let largest = |of: fn([f64; 3]) -> f64| courses().map(|course| of(course).abs()).fold(0.0, f64::max);
+    without_rounding(&mut rows, [end, largest(|[s, ..]| s), largest(|[_, v, _]| v), largest(|[.., a]| a)]);
     let [position, speed, acceleration] = moves.units;
     Ok(Setpoints {
         every,

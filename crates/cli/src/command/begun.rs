@@ -188,6 +188,13 @@ pub(super) fn template(words: &[String], language: Language) -> Option<String> {
     new::template(&kind, new::USUAL_NAME, language).map(|template| template.text)
 }
 
+/// Returns the name of a workbook beside the first of some projects, which names each of them.
+pub(super) fn workbook_beside(projects: &[std::path::PathBuf], ending: &str) -> String {
+    let further = projects.iter().skip(1).filter_map(|path| path.file_stem());
+    let further: String = further.map(|stem| format!("-{}", stem.to_string_lossy())).collect();
+    file_beside(projects, &format!("{further}{ending}"))
+}
+
 /// Returns the name of a file beside the first project of some words, with another ending; else one named like the project of
 /// an example.
 pub(super) fn file_beside(projects: &[std::path::PathBuf], ending: &str) -> String {

@@ -1,7 +1,7 @@
 //! Calls that lack one word, with the one that is plainly meant: the only project of the folder, today, the neutral list of a drive,
 //! the best of the actuators that half a code names.
 
-use super::begun::file_beside;
+use super::begun::{file_beside, workbook_beside};
 use super::best::{BestOfPattern, ProjectOfCall, best_of_pattern};
 use super::example::code_of_recorded;
 use super::folder::{has_ending, projects_in, text_of};
@@ -289,7 +289,7 @@ fn with_one_option(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
         // The workbook beside the project, as the report.
         "export" if !is_given(&["out", "table", "format"]) && !super::json_of(arguments) => {
             called.projects.first().filter(|_| !takes("--table") && !takes("--out"))?;
-            let file = file_beside(&called.projects, WORKBOOK);
+            let file = workbook_beside(&called.projects, WORKBOOK);
             with(&["--out", &file], terminal::option_assumed(&typed(["--out", &file]), language))
         }
         "identify" if !is_given(&["code"]) && !super::json_of(arguments) => {

@@ -84,8 +84,8 @@ pub(crate) const STEP: &str = "step";
 pub(super) fn is_plain_range(change: &str) -> bool {
     let (_, values) = change.split_once('=').unwrap_or_default();
     let colons = values.matches(':').count();
-    is_of_several(values)
-        && if values.contains("..") { colons == 0 } else { colons < 2 && !values.contains([',', ';']) }
+    let is_closed = values.contains("..") || is_dashed(values);
+    is_of_several(values) && if is_closed { colons == 0 } else { colons < 2 && !values.contains([',', ';']) }
 }
 
 /// Columns that `--inputs` adds: those of the table, those of the project too.
@@ -179,13 +179,15 @@ pub(super) fn recognises(option: &str, word: &str, language: Language) -> bool {
 
 /// Returns `true` if a text states several values: `0,10,20kg`, `0..10 kg`.
 pub(super) fn is_of_several(text: &str) -> bool {
-    let is_dashed = || {
-        text.split_once(['-', '–']).is_some_and(|(low, high)| {
-            let is_number = |text: &str| text.starts_with(|sign: char| sign.is_ascii_digit());
-            is_number(low) && is_number(high) && low.parse::<f64>().is_ok()
-        })
-    };
-    text.contains("..") || is_dashed() || text.contains([',', ';', ':']) && !text.starts_with(['[', '{', '"'])
+    text.contains("..") || is_dashed(text) || text.contains([',', ';', ':']) && !text.starts_with(['[', '{', '"'])
+}
+
+/// Returns `true` if a text is a range with a dash: `0-10 kg`.
+fn is_dashed(text: &str) -> bool {
+    text.split_once(['-', '–']).is_some_and(|(low, high)| {
+        let is_number = |text: &str| text.starts_with(|sign: char| sign.is_ascii_digit());
+        is_number(low) && is_number(high) && low.parse::<f64>().is_ok()
+    })
 }
 
 /// Smallest number that is plainly a port: smaller ones belong to services of the system.

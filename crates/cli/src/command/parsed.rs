@@ -1,6 +1,6 @@
 //! A call from its words to the arguments of the command-line library.
 
-use super::meant::{Stray, Understood};
+use super::meant::{Called, Stray, Understood};
 use super::{begun, build_for, json_of, language_of, ratio, replaced, spoken, states_language, with_help_asked};
 use clap::{ArgMatches, Command};
 use quantities::Language;
@@ -39,6 +39,7 @@ impl ParsedCall {
         let is_begun = is_begun || is_of_ratio;
         let as_json = json_of(&arguments);
         let mut command = build_for(&arguments, language);
+        let arguments = with_help_alone(arguments, &command, language);
         let (found, remark) = replaced::understood(arguments, is_begun, &command, language);
         let Understood { arguments, stray } = found;
         // A language without its option is known only now.
@@ -53,4 +54,16 @@ impl ParsedCall {
         };
         Self { arguments, command, language, as_json, remark, matches }
     }
+}
+
+/// Returns a call that requests the help of its command without its other words, which the help does not depend on: the library
+/// reads the words first, and refuses those that only have a meaning to [`replaced::understood`].
+fn with_help_alone(mut arguments: Vec<OsString>, whole: &Command, language: Language) -> Vec<OsString> {
+    let Some(begin) = Called::of(&arguments, whole, language).map(|called| called.begin) else { return arguments };
+    let mut words = arguments.iter().skip(begin).take_while(|word| *word != "--");
+    if words.any(|word| word == "--help" || word == "-h") {
+        arguments.truncate(begin);
+        arguments.push("--help".into());
+    }
+    arguments
 }

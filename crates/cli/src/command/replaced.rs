@@ -30,11 +30,12 @@ pub(crate) fn understood(
     let arguments = with_own_options(arguments, whole, language);
     let (arguments, is_changed) = unknown::with_meaning(arguments, whole, language);
     let (arguments, is_otherwise) = solid::with_own_words(arguments, whole, language);
+    let (arguments, is_of_code) = without_project(arguments, whole, language);
     let (arguments, completed) = completed::completed(arguments, whole, language);
     let (arguments, remark) = with_best_code(arguments, whole, language);
     let (arguments, compared) = with_compared_codes(arguments, whole, language);
     let understood = meant::understood(arguments, whole, language);
-    let is_whole = (is_begun || is_named || is_changed || is_otherwise) && understood.stray.is_none();
+    let is_whole = (is_begun || is_named || is_changed || is_otherwise || is_of_code) && understood.stray.is_none();
     let call = is_whole.then(|| {
         let words = understood.arguments.iter().skip(1).filter_map(|word| word.to_str());
         terminal::call_understood(&typed(std::iter::once(super::NAME).chain(words)), language)
@@ -150,6 +151,35 @@ fn with_changes_of_best(arguments: &mut Vec<OsString>, whole: &Command, language
     let stated = (!texts.is_empty()).then(|| Statements::of_words(&texts))?;
     *arguments = kept;
     Some((stated, taken))
+}
+
+/// Returns a call about an ordering code without the project that it names besides, which the answer does not depend on, and `true`
+/// if there was one: `commission axis.toml CODE`.
+fn without_project(mut arguments: Vec<OsString>, whole: &Command, language: Language) -> (Vec<OsString>, bool) {
+    let place = || {
+        let called = Called::of(&arguments, whole, language)?;
+        called.command.get_positionals().next().filter(|position| called.is_code(position))?;
+        let texts: Vec<&str> = arguments.iter().map(|word| word.to_str()).collect::<Option<_>>()?;
+        let parts = called.parts(&texts)?;
+        let bare = || {
+            parts.iter().filter_map(|part| match part {
+                Part::Bare(place, word) => Some((*place, *word)),
+                Part::Option(..) => None,
+            })
+        };
+        let is_project = |word: &str| called.projects.iter().any(|path| path == Path::new(word));
+        let is_code = |word: &str| seems_code(word) && questions::read_code(word, language).is_ok();
+        let (place, _) = bare().find(|(_, word)| is_project(word))?;
+        // The project stays where an option of the command reads it.
+        bare().any(|(_, word)| is_code(word)).then(|| (place, called.has("project")))
+    };
+    let Some((place, is_read)) = place() else { return (arguments, false) };
+    if is_read {
+        arguments.insert(place, "--project".into());
+    } else {
+        arguments.remove(place);
+    }
+    (arguments, true)
 }
 
 /// Returns a call about one actuator with the best one of a project that stands in place of its code, and a remark on it.

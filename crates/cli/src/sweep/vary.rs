@@ -275,7 +275,8 @@ fn apart(text: &str) -> (&str, Option<&str>) {
         text.starts_with(|sign: char| sign.is_ascii_digit() || "+-.".contains(sign))
             && !number_and_unit(text).0.is_empty()
     };
-    let rest = text.split_once("..").map_or_else(|| text.split_once(':'), Some);
+    let dashed = || text.split_once(['-', '–']).filter(|(low, high)| low.parse::<f64>().is_ok() && is_number(high));
+    let rest = text.split_once("..").or_else(dashed).or_else(|| text.split_once(':'));
     let stepped = rest.and_then(|(low, rest)| Some((low, rest.split_once(':')?)));
     match stepped.filter(|(low, (high, step))| [low, high, step].into_iter().all(|text| is_number(text))) {
         Some((_, (_, step))) => (text.get(..text.len() - step.len() - 1).unwrap_or(text), Some(step.trim())),

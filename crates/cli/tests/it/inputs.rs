@@ -15,12 +15,13 @@ use std::process::Command;
 type WritingCall = (&'static str, &'static str, &'static str, &'static [&'static str], &'static [Kind]);
 
 /// Commands that write a file.
-const CALLS: [WritingCall; 19] = [
+const CALLS: [WritingCall; 20] = [
     ("plot", "plot {project} --figure cycle --catalogue {catalogue}", "svg", &["svg"], &OF_PROJECT),
     ("plot", "plot {project} --figure cycle --catalogue {catalogue}", "png", &["png"], &OF_PROJECT),
     ("report", "report {project} --catalogue {catalogue}", "out", &["pdf"], &OF_PROJECT),
     ("size", "size {project} --catalogue {catalogue}", "report", &["pdf"], &OF_PROJECT),
     ("export", "export {project} --table candidates --catalogue {catalogue}", "out", &["csv", "parquet"], &OF_PROJECT),
+    ("moves", "moves {project} --every 2ms --catalogue {catalogue}", "out", &["csv", "parquet"], &OF_PROJECT),
     ("simulate", "simulate {project} --catalogue {catalogue}", "out", &["csv", "parquet"], &OF_PROJECT),
     ("simulate", "simulate {project} --catalogue {catalogue}", "svg", &["svg"], &OF_PROJECT),
     ("simulate", "simulate {project} --catalogue {catalogue}", "png", &["png"], &OF_PROJECT),

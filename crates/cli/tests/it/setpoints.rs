@@ -31,7 +31,7 @@ fn a_table_of_setpoints_has_both_ends_in_the_units_of_the_axis() {
     assert_eq!(lines.len(), 502);
     assert!(lines[1].starts_with("0,0,0,") && lines[301].starts_with("0.6,90,0,"), "{} {}", lines[1], lines[301]);
     assert!(lines[501].starts_with("1,0,0,"), "{}", lines[501]);
-    assert_eq!(call(here, "moves arm.toml --every 2ms").out, text.replace("\r\n", "\n"));
+    assert_eq!(call(here, "moves arm.toml --every 2ms").out, text);
     let rest = call(here, "moves arm.toml --every 7ms");
     assert!(rest.err.contains("6 ms") && rest.out.lines().last().unwrap().starts_with("1,0,0,"), "{}", rest.err);
     let json: Value = serde_json::from_str(&call(here, "moves arm.toml --every 10ms --json").out).unwrap();

@@ -162,7 +162,7 @@ fn a_step_belongs_to_one_range() {
         (&["--vary", "mass=10:20:5kg", "--steps", "3"], "range"),
         (&["--vary", "mass=10..20kg", "--steps", "3", "--step", "5kg"], "--step"),
         (&["--vary", "mass=10..20kg", "--step", "x"], "one range"),
-        (&["--vary", "mass=10..20kg", "--step", "3kg"], "--vary mass=10..20kg:2.5kg"),
+        (&["--vary", "mass=10..20kg", "--step", "3kg"], "--vary mass=10:20:2.5kg"),
     ] {
         let found = sweep(folder.path(), words);
         assert_eq!((found.code, found.out.as_str()), (2, ""), "{words:?}: {}", found.err);

@@ -548,6 +548,8 @@ class Motion(Record):
 states."""
     segments: Rows[Segment]
     """Segments in their order."""
+    setpoints: Setpoints | None = None
+    """Setpoints at equal steps; only if a step is stated."""
 
     def __iter__(self) -> Iterator[Segment]:
         return iter(self.segments)
@@ -641,6 +643,28 @@ class RecordedColumn(Record):
     """Unit of the values."""
     unit_by: UnitBy
     """Source of the unit."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Setpoints(Record):
+    """Setpoints of the motion over one cycle, its end included."""
+
+    units: Units
+    """Units of time, position, speed and acceleration."""
+    every: float | None
+    """Time between two rows."""
+    rows: int
+    """Number of rows."""
+    file: str | None = None
+    """File with the rows, if one was written; the lists are empty then."""
+    time: list[float | None]
+    """Instants from the start of the cycle."""
+    position: list[float | None]
+    """Position at each instant."""
+    speed: list[float | None]
+    """Speed at each instant."""
+    acceleration: list[float | None]
+    """Acceleration at each instant; where it jumps, that behind the jump."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -3838,26 +3862,28 @@ class ExportWritten(Record):
 
     file: str
     """Path as given."""
-    code: str
-    """Ordering code, or name of the project's own actuator."""
+    code: str | None = None
+    """Ordering code, or name of the project's own actuator; absent for several axes."""
     verdict: Fit
-    """Verdict on the actuator."""
+    """Verdict on the actuator; of several axes the worst."""
     tables: Rows[TableWritten]
-    """Tables in the file."""
+    """Tables in the file; empty for several axes."""
     left_out: Rows[TableWritten]
-    """Tables left out because they are too long for a sheet of a workbook."""
+    """Tables left out because they are too long for a sheet of a workbook; empty for several axes."""
+    axes: Rows[AxisExported]
+    """Several axes, in the order of the sheets; absent for one."""
 
-    def __iter__(self) -> Iterator[TableWritten]:
-        return iter(self.tables)
+    def __iter__(self) -> Iterator[AxisExported]:
+        return iter(self.axes)
 
     def __len__(self) -> int:
-        return len(self.tables)
+        return len(self.axes)
 
     def __contains__(self, item: object, /) -> bool:
-        return item in self.tables
+        return item in self.axes
 
-    def __getitem__(self, key: int | str, /) -> TableWritten:
-        return self.tables[key]
+    def __getitem__(self, key: int | str, /) -> AxisExported:
+        return self.axes[key]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -3868,6 +3894,22 @@ class TableWritten(Record):
     """Name of the table."""
     rows: int
     """Number of rows."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class AxisExported(Record):
+    """One of several axes of a workbook."""
+
+    axis: str
+    """Name of the axis."""
+    code: str
+    """Ordering code, or name of the project's own actuator."""
+    verdict: Fit
+    """Verdict on the actuator."""
+    tables: Rows[TableWritten]
+    """Tables in the file."""
+    left_out: Rows[TableWritten]
+    """Tables left out because they are too long for a sheet."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -4191,6 +4233,7 @@ __all__ = [
     "AxesOfJudgement",
     "AxesOfSimulation",
     "AxesOfSizing",
+    "AxisExported",
     "AxisWritten",
     "Battery",
     "BearingOfSize",
@@ -4344,6 +4387,7 @@ __all__ = [
     "ScenarioId",
     "Segment",
     "SensorThreshold",
+    "Setpoints",
     "Severity",
     "Sheet",
     "SheetNote",

@@ -1886,6 +1886,7 @@ def moves(
     *,
     lang: Lang = "en",
     axis: str | None = None,
+    every: str | None = None,
     file: str | None = None,
     folder: Path | None = None,
     deadline: TimeLimit | None = None,
@@ -1897,6 +1898,7 @@ def moves(
         text: The project as text, or the path of its file.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
+        every: Setpoints at the cycle of a controller, such as 2ms: time, position, speed, acceleration in the units of the axis.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
@@ -1912,7 +1914,7 @@ def moves(
         lambda: answers.Motion,
         "moves",
         (text,),
-        [("axis", axis)],
+        [("axis", axis), ("every", every)],
         lang,
         file=file,
         folder=folder,
@@ -2294,7 +2296,7 @@ _EXAMPLES = {
     "curve": "curve CHA-20A-100-H-C1024 --voltage \"220 V\"",
     "plot": "plot axis.toml --figure torque_speed --svg plane.svg",
     "bearing": "bearing axis.toml",
-    "moves": "moves axis.toml",
+    "moves": "moves axis.toml --every 2ms --out setpoints.csv",
     "battery": "battery --hours-per-day 10",
     "mount": "mount CHA-25A-100-H-M512P-B --bore K7",
     "upkeep": "upkeep CHA-14A-50-E-M128S --delivered 2026-03-01 --storage \"6 months\" --hours-per-day 10",

@@ -76,7 +76,9 @@ impl Args {
     /// # Errors
     /// Faults of the project, several axes without a name, an abscissa of a picture that has none to choose.
     pub fn drawn(&self, inquiry: &Inquiry<'_>) -> Result<AxisProject, Unanswered> {
-        if self.by.is_some() && self.figure.as_deref() != Some(MAP) {
+        // The usual abscissa is none of the call.
+        let is_by = inquiry.given.all("by").next().is_some();
+        if is_by && self.figure.as_deref() != Some(MAP) {
             let needed = format!("--figure {MAP}");
             return Err(Unanswered::option("by", (terminal::no_effect_without(&needed, inquiry.language), None)));
         }

@@ -9,7 +9,7 @@ use crate::summary::Gathered;
 use quantities::identified;
 
 identified! {
-    /// EventEffect by which the worst instant of an event is chosen.
+    /// Effect by which the worst instant of an event is chosen.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum EventEffect {
         /// Largest distance from the place of the event until the axis is at rest \[rad\].
@@ -24,7 +24,7 @@ identified! {
 }
 
 identified! {
-    /// MotionDirection of the motion at an event.
+    /// Direction of the motion at an event.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum MotionDirection {
         /// The position increases.
@@ -39,11 +39,11 @@ identified! {
 /// Worst instant of one direction of motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorstOf {
-    /// MotionDirection of the motion at the instant.
+    /// Direction of the motion at the instant.
     pub direction: MotionDirection,
     /// Instant \[s\].
     pub at_s: f64,
-    /// EventEffect of the event, in SI.
+    /// Effect of the event, in SI.
     pub value: f64,
     /// The axis comes to rest within the examined time, or the event does not stop it.
     pub rests: bool,
@@ -52,7 +52,7 @@ pub struct WorstOf {
 /// Worst instants of an event, by direction of motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorstInstant {
-    /// EventEffect by which they are chosen.
+    /// Effect by which they are chosen.
     pub effect: EventEffect,
     /// Number of instants examined.
     pub examined: u32,
