@@ -77,7 +77,8 @@ pub fn setpoints(project: &AxisProject, moves: &Moves<'_>, every: Time) -> Resul
     let mut rows: Vec<[f64; 4]> = instants.chain(rest.map(|_| end)).map(at).collect();
     let courses = || moves.moves.iter().filter_map(|each| each.course);
     let largest = |of: fn([f64; 3]) -> f64| courses().map(|course| of(course).abs()).fold(0.0, f64::max);
-    without_rounding(&mut rows, [end, largest(|[s, ..]| s), largest(|[_, v, _]| v), largest(|[.., a]| a)]);
+    let (speed, acceleration) = (largest(|[_, speed, _]| speed), largest(|[.., acceleration]| acceleration));
+    without_rounding(&mut rows, [end, speed * end, speed, acceleration]);
     let [position, speed, acceleration] = moves.units;
     Ok(Setpoints {
         every,

@@ -66,7 +66,10 @@ fn positions_and_speeds_agree_and_the_ends_are_exact() {
             assert!(first[0] == 0.0 && (last[0] - end).abs() <= 1e-12 * end, "{name}: {last:?}");
             let net = motion.net().si() * found.per_output;
             let range = rows.iter().fold(most(0), |most, row| most.max(row[1].abs())).max(net.abs());
-            assert!((last[1] - first[1] - net).abs() <= 1e-9 * range.max(1e-9), "{name}: {net} {first:?} {last:?}");
+            assert!(
+                (last[1] - first[1] - net).abs() <= 1e-9 * range.max(speed * end),
+                "{name}: {net} {first:?} {last:?}"
+            );
             for pair in rows.windows(2) {
                 let [[t0, q0, v0, a0], [t1, q1, v1, _]] = [pair[0], pair[1]];
                 let h = t1 - t0;
