@@ -1,7 +1,7 @@
 //! Calls that lack one word, with the one that is plainly meant: the only project of the folder, today, the neutral list of a drive,
 //! the best of the actuators that half a code names.
 
-use super::begun::{file_beside, workbook_beside};
+use super::begun::workbook_beside;
 use super::best::{BestOfPattern, ProjectOfCall, best_of_pattern};
 use super::example::code_of_recorded;
 use super::folder::{has_ending, projects_in, text_of};
