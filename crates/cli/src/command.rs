@@ -1,7 +1,6 @@
 //! The commands and their help, in English and German.
 
 use crate::answer::CommandAnswer;
-use crate::table::paragraph;
 use clap::builder::{PossibleValuesParser, Styles};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use quantities::Language;
@@ -19,6 +18,7 @@ const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 pub(crate) mod argument;
 pub(crate) mod begun;
 mod best;
+pub(crate) mod checks;
 mod completed;
 pub(crate) mod effects;
 mod example;
@@ -295,15 +295,7 @@ pub(crate) fn help_on_check(matches: &ArgMatches, language: Language) -> Command
     let check_of = |id: &str| CheckId::ALL.iter().copied().find(|check| check.id() == id);
     let found = LIST.iter().copied().filter(|entry| entry.command == "explain").find_map(check);
     let Some(id) = found.and_then(check_of) else { return CommandAnswer::none() };
-    CommandAnswer::data(what_a_check_is(&words::check_title(id, language), id.id(), language))
-}
-
-/// Returns the sentence on a check and the call that states it with its numbers, for a project of the folder.
-pub(crate) fn what_a_check_is(title: &str, id: &str, language: Language) -> String {
-    let own = folder::projects_in(std::path::Path::new(""));
-    let project = own.first().and_then(|path| path.to_str()).unwrap_or("axis.toml");
-    let call = typed::typed([NAME, "explain", project, "--check", id]);
-    format!("{}  {call}\n", paragraph("", &terminal::help_on_check(&title, &id, language)))
+    CommandAnswer::data(checks::what_a_check_is(&words::check_title(id, language), id.id(), language))
 }
 
 /// Returns a manual page.

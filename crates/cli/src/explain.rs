@@ -28,7 +28,7 @@ pub(crate) fn explain(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandA
 }
 
 fn derivations(project: &AxisProject, candidate: &Candidate<'_>, checks: &[&Check], language: Language) -> String {
-    // Whoever wants to know why an actuator does not fit reads on from the top.
+    // The reason why an actuator does not fit stands first.
     let (failed, others): (Vec<&Check>, Vec<&Check>) = checks.iter().partition(|check| check.verdict == Verdict::Fail);
     let mut out = String::new();
     for check in failed.into_iter().chain(others) {

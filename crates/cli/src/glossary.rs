@@ -2,7 +2,7 @@
 
 use crate::answer::CommandAnswer;
 use crate::call::Call;
-use crate::command::what_a_check_is;
+use crate::command::checks::what_a_check_is;
 use crate::table::{Align, TextTable, paragraph};
 use answers::Number;
 use questions::list::{Inquiry, Unanswered, glossary, units};

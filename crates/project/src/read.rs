@@ -175,19 +175,17 @@ impl<'t> Reader<'t> {
         path: &str,
     ) {
         let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
-        let fault = Fault::UnknownKey { path: joined(path, &shortened(name.get_ref(), WORD_SHOWN)) };
         let hint = self.nearest(&name.span(), name.get_ref(), &names).map(|near| match near {
             Hint::ValidAre(_) => {
-                let quantity = || value.as_str().and_then(|text| of_the_quantity(text, keys));
                 let elsewhere = || in_another_table(name.get_ref());
                 // A load of a segment has its own table in every project; other tables may have nothing to do with this one.
-                let of_a_segment = || elsewhere().filter(Hint::is_of_a_segment);
-                let found = meant(name.get_ref(), keys).or_else(of_a_segment).or_else(quantity).or_else(elsewhere);
-                found.or_else(|| of_the_kind(table, keys)).unwrap_or(near)
+                let found = meant(name.get_ref(), keys).or_else(|| elsewhere().filter(Hint::is_of_a_segment));
+                let found = found.or_else(|| of_the_quantity(value.as_str()?, keys));
+                found.or_else(elsewhere).or_else(|| of_the_kind(table, keys)).unwrap_or(near)
             }
             near => near,
         });
-        self.fault(name.span(), fault, hint);
+        self.fault(name.span(), Fault::UnknownKey { path: joined(path, &shortened(name.get_ref(), WORD_SHOWN)) }, hint);
     }
 
     fn nearest(&self, span: &Span<usize>, written: &str, valid: &[&str]) -> Option<Hint> {

@@ -3,7 +3,7 @@
 use answers::{Glossary, GlossaryCheck, GlossarySymbol, GlossaryTerm, GlossaryWord};
 use quantities::Language;
 use sizing::CheckId;
-use words::{check_title, glossary_symbols, symbol_shown, term_remark, word_meaning};
+use words::{check_titles, glossary_symbols, symbol_shown, term_remark, word_meaning};
 
 /// Returns the glossary, or its entries for a symbol, an identifier or a word.
 ///
@@ -66,10 +66,9 @@ fn has_words(name: &str, wanted: &str) -> bool {
 
 /// Returns the checks whose identifier, or title in one of the languages, has a spelling.
 fn checks_titled(spelled: &str) -> Vec<GlossaryCheck> {
-    let check = |id: &CheckId| GlossaryCheck {
-        id: id.id().to_owned(),
-        en: check_title(*id, Language::En),
-        de: check_title(*id, Language::De),
+    let check = |id: &CheckId| {
+        let [en, de] = check_titles(*id);
+        GlossaryCheck { id: id.id().to_owned(), en, de }
     };
     let is_named = |check: &GlossaryCheck| [&check.id, &check.en, &check.de].iter().any(|name| folded(name) == spelled);
     CheckId::ALL.iter().map(check).filter(is_named).collect()
@@ -188,8 +187,7 @@ const NEAREST: usize = 3;
 fn nearest(all: &Glossary, wanted: &str) -> Vec<String> {
     let names = all.words.iter().flat_map(|word| [&word.en, &word.de]);
     let names = names.chain(all.terms.iter().flat_map(|term| [&term.symbol, &term.identifier, &term.en, &term.de]));
-    let titles: Vec<String> =
-        CheckId::ALL.iter().flat_map(|id| Language::ALL.map(|language| check_title(*id, language))).collect();
+    let titles: Vec<String> = CheckId::ALL.iter().flat_map(|id| check_titles(*id)).collect();
     let mut rated: Vec<(f64, &String)> = names
         .chain(&titles)
         .chain(all.symbols.iter().map(|symbol| &symbol.symbol))
@@ -221,7 +219,7 @@ mod tests {
     #[test]
     fn every_check_is_found_by_its_title() {
         for id in CheckId::ALL {
-            for name in [id.id().to_owned(), check_title(*id, Language::En), check_title(*id, Language::De)] {
+            for name in check_titles(*id).into_iter().chain([id.id().to_owned()]) {
                 let found = glossary(Some(&name), Language::En).unwrap();
                 assert!(found.checks.iter().any(|check| check.id == id.id()), "{name}: {found:?}");
             }

@@ -119,8 +119,8 @@ texts! {
     sweep_steps =
         "Values of each range without a step (11)" | "Werte je Bereich ohne Schritt (11)";
     sweep_step =
-        "Step of the range, such as 5kg for 30..60kg; its end must be met"
-        | "Schritt des Bereichs, etwa 5kg bei 30..60kg; das Ende muss getroffen werden";
+        "Step of the range, for example \"5 kg\" for 30..60kg; its end must be met"
+        | "Schritt des Bereichs, zum Beispiel \"5 kg\" bei 30..60kg; das Ende muss getroffen werden";
     data_beside =
         "Further actuator, two to five in all: their main data side by side in place of the data sheet"
         | "weiterer Antrieb, insgesamt zwei bis fünf: ihre Hauptdaten nebeneinander anstelle des Datenblatts";
