@@ -63,7 +63,7 @@ fn with_help_alone(mut arguments: Vec<OsString>, whole: &Command, language: Lang
     let mut words = arguments.iter().skip(begin).take_while(|word| *word != "--");
     if words.any(|word| word == "--help" || word == "-h") {
         arguments.truncate(begin);
-        arguments.push("--help".into());
+        arguments.extend([format!("--lang={}", language.id()), "--help".to_owned()].map(OsString::from));
     }
     arguments
 }

@@ -99,7 +99,11 @@ fn faults(place: &str, text: &str, language: Language) -> Vec<String> {
     if language == Language::De {
         let names = catalogue::documents().iter().flat_map(|each| [each.title, each.short]);
         // Objects of CiA 402 have the names of the profile; a section is cited by its heading.
-        let own = text.lines().filter(|line| !line.trim_start().starts_with("0x")).collect::<Vec<_>>().join("\n");
+        let lines = text.lines().filter(|line| !line.trim_start().starts_with("0x"));
+        // Options of a call are typed as they are.
+        let is_word = |word: &&str| !word.starts_with("--");
+        let lines = lines.map(|line| line.split(' ').filter(is_word).collect::<Vec<_>>().join(" "));
+        let own = lines.collect::<Vec<_>>().join("\n");
         let quoted = own.split('„').skip(1).filter_map(|rest| rest.split('“').next());
         let text = quoted.fold(own.clone(), |text, title| text.replace(title, ""));
         let columns = keys_and_columns(&text);
