@@ -3637,7 +3637,7 @@ class Glossary(Record):
     symbols: Rows[GlossarySymbol]
     """Symbols of the derivations and of the values for a servo drive. A symbol with several meanings has several
 entries."""
-    checks: Rows[GlossaryCheck]
+    checks: Rows[GlossaryCheck] | None = None
     """Checks with the requested title; only where there are some."""
 
     @property
@@ -3870,20 +3870,20 @@ class ExportWritten(Record):
     """Tables in the file; empty for several axes."""
     left_out: Rows[TableWritten]
     """Tables left out because they are too long for a sheet of a workbook; empty for several axes."""
-    axes: Rows[AxisExported]
+    axes: Rows[AxisExported] | None = None
     """Several axes, in the order of the sheets; absent for one."""
 
-    def __iter__(self) -> Iterator[AxisExported]:
-        return iter(self.axes)
+    def __iter__(self) -> Iterator[TableWritten]:
+        return iter(self.tables)
 
     def __len__(self) -> int:
-        return len(self.axes)
+        return len(self.tables)
 
     def __contains__(self, item: object, /) -> bool:
-        return item in self.axes
+        return item in self.tables
 
-    def __getitem__(self, key: int | str, /) -> AxisExported:
-        return self.axes[key]
+    def __getitem__(self, key: int | str, /) -> TableWritten:
+        return self.tables[key]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)

@@ -3,7 +3,8 @@
 
 use axis::{AxisProject, Files};
 use project::SegmentLaw;
-use quantities::{Measure, Time};
+use quantities::{Language, Measure, Time};
+use questions::list::new::{template, template_kinds};
 use questions::{NoSetpoints, moves, setpoints};
 use std::collections::BTreeSet;
 use std::io::Read;
@@ -17,7 +18,7 @@ impl Files for Folder {
     }
 }
 
-/// Returns the axes of the examples, and one for each law that a distance and a time determine, turning and along a line.
+/// Returns the axes of the examples and of the new projects, and one for each law that a distance and a time determine, turning and along a line.
 fn projects() -> Vec<(String, AxisProject)> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples");
     let files = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path());
@@ -27,6 +28,12 @@ fn projects() -> Vec<(String, AxisProject)> {
         let text = std::fs::read_to_string(&path).unwrap();
         let read = questions::read_all(&text, &Folder(folder.clone())).unwrap();
         all.extend(read.into_iter().map(|project| (path.display().to_string(), project)));
+    }
+    for kind in template_kinds() {
+        let Some(made) = template(kind, "axis", Language::En) else { continue };
+        if let Ok(project) = questions::read(&made.text) {
+            all.push((format!("new {kind}"), project));
+        }
     }
     let belt = "mechanism.belt]\npulley_diameter = \"128 mm\"\nmass = \"4 kg\"";
     let arm = "mechanism.arm]\nlength = \"300 mm\"\nmass = \"3 kg\"";
