@@ -84,8 +84,8 @@ texts! {
         | "Zusätzlich diese Anzahl Tage mit den mittleren Verlusten des Zyklus rechnen: Temperaturen über den Tag, Energie";
     simulate_hours = "Operation per day in hours (24)" | "Betriebsstunden je Tag (24)";
     moves_every =
-        "Setpoints at the cycle of a controller, such as 2ms: time, position, speed, acceleration in the units of the axis"
-        | "Sollwerte im Takt einer Steuerung, etwa 2ms: Zeit, Position, Geschwindigkeit, Beschleunigung in den Einheiten der Achse";
+        "Setpoints at the cycle of a controller, for example \"2 ms\": time, position, speed, acceleration in the units of the axis"
+        | "Sollwerte im Takt einer Steuerung, zum Beispiel \"2 ms\": Zeit, Position, Geschwindigkeit, Beschleunigung in den Einheiten der Achse";
     moves_out = "Write the setpoints as .csv or .parquet" | "Sollwerte als .csv oder .parquet schreiben";
     setpoints_by_moves(call) =
         "Setpoints for a controller, in the units of the axis: {call}"

@@ -63,6 +63,7 @@ pub mod tables;
 pub mod terminal;
 pub mod terms;
 mod texts;
+mod titles;
 mod toml_syntax;
 mod twin_keys;
 mod unmet;
@@ -98,7 +99,7 @@ pub use motion::{law_text, segment_load};
 pub use notes::note_text;
 pub use plain::{purpose_of, without_keys};
 pub use print::{
-    cell_text, check_titles, decimal, document_note, document_short, document_title, erratum_readings, own_and_foreign, short,
+    cell_text, decimal, document_note, document_short, document_title, erratum_readings, own_and_foreign, short,
     table_note, table_title, term_remark, typeset, word_meaning,
 };
 pub use project_file::{body_key, key_word, short_label, table_of_project};
@@ -106,9 +107,9 @@ pub use project_page::project_page;
 pub use quantity::{percent_text, quantity_fault, quantity_hint, unpadded};
 pub use recording::{encoding_guess, recording_text, role_key, role_text, table_text};
 pub use results::{
-    Counts, Provisos, advice_word, check_missing, check_title, condition_text, conditions_text,
-    counts_text, curve_title, degree_of_protection, equation_text, evidence_text, figure_term, grade_about, grade_word,
-    minutes, missing_data_text, part_title, proviso_text, ranking_rule, row_name, row_sign, source_text, standing_text,
+    Counts, Provisos, advice_word, check_missing, check_title, condition_text, conditions_text, counts_text,
+    curve_title, degree_of_protection, equation_text, evidence_text, figure_term, grade_about, grade_word, minutes,
+    missing_data_text, part_title, proviso_text, ranking_rule, row_name, row_sign, source_text, standing_text,
     symbol_term, title_of_check, verdict_count, verdict_word, without_limit,
 };
 pub use saving::{SaveTrouble, save_trouble};
@@ -116,6 +117,7 @@ pub use schema::schema_text;
 pub use stage::{ratios_text, stage_by_its_keys};
 pub use step_terms::{step_term, step_terms};
 pub use texts::{Text, Word};
+pub use titles::check_titles;
 pub use unmet::unmet_text;
 pub use usage::{Usage, UsageHint, usage_hint, usage_text};
 

@@ -1,9 +1,8 @@
 //! Texts of the data that the data state in both languages.
 
-use crate::{check_title, pick};
+use crate::pick;
 use catalogue::{Cell, Erratum, Footnote, ManualTable, ProductWord, SourceDocument, Term};
 use quantities::Language;
-use sizing::CheckId;
 use std::borrow::Cow;
 
 /// Returns the title of a printed table.
@@ -111,12 +110,6 @@ pub const fn term_remark(term: &Term, language: Language) -> &'static str {
 #[must_use]
 pub const fn own_and_foreign<'t>(en: &'t str, de: &'t str, language: Language) -> [&'t str; 2] {
     pick(language, [en, de], [de, en])
-}
-
-/// Returns the English and the German title of a check.
-#[must_use]
-pub fn check_titles(id: CheckId) -> [String; 2] {
-    [Language::En, Language::De].map(|language| check_title(id, language))
 }
 
 /// Returns a printed number with the decimal mark of the language; other texts stay unchanged.

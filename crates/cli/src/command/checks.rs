@@ -11,6 +11,6 @@ use words::terminal;
 pub(crate) fn what_a_check_is(title: &str, id: &str, language: Language) -> String {
     let own = projects_in(Path::new(""));
     let project = own.first().and_then(|path| path.to_str()).unwrap_or("axis.toml");
-    let call = typed([super::NAME, "explain", project, "--check", id]);
+    let call = typed(["antrieb", "explain", project, "--check", id]);
     format!("{}  {call}\n", paragraph("", &terminal::help_on_check(&title, &id, language)))
 }

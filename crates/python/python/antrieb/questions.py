@@ -1898,7 +1898,7 @@ def moves(
         text: The project as text, or the path of its file.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
-        every: Setpoints at the cycle of a controller, such as 2ms: time, position, speed, acceleration in the units of the axis.
+        every: Setpoints at the cycle of a controller, for example "2 ms": time, position, speed, acceleration in the units of the axis.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
