@@ -8,7 +8,7 @@ use questions::CheckId;
 use questions::list::{Entry, LIST, Unanswered};
 use std::ffi::OsString;
 use words::help::values;
-use words::{Usage, Word, help, terminal, usage_text};
+use words::{Usage, Word, help, usage_text};
 
 pub(crate) use folder::text_of_kind;
 

@@ -108,8 +108,8 @@ texts! {
     sample_key(written) =
         "\"{written}\" is not a key with values" | "„{written}“ ist kein Schlüssel mit Werten";
     sample_key_hint =
-        "write \"motion[1].time [s] = 1..3\", \"… = 1..3:0.5\", \"… = 1..3 log\" or \"… = 1; 2; 3\""
-        | "„motion[1].time [s] = 1..3“, „… = 1..3:0.5“, „… = 1..3 log“ oder „… = 1; 2; 3“ schreiben";
+        "write \"motion[1].time [s] = 1..3\", \"… = 1..9:2\", \"… = 1..3 log\" or \"… = 1; 2; 3\""
+        | "„motion[1].time [s] = 1..3“, „… = 1..9:2“, „… = 1..3 log“ oder „… = 1; 2; 3“ schreiben";
     step_misses(range, step) =
         "\"{range}\": steps of {step} do not meet the end of the range"
         | "„{range}“: Schritte von {step} treffen das Ende des Bereichs nicht";
