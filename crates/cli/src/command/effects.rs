@@ -3,6 +3,7 @@
 use clap::ArgMatches;
 use clap::parser::ValueSource;
 use quantities::Language;
+use questions::list::plot::MAP;
 use questions::list::{LIST, Unanswered};
 use words::terminal;
 
@@ -81,6 +82,11 @@ pub(crate) fn refusal(command: &str, matches: &ArgMatches, language: Language) -
     let mut all: Vec<Unanswered> = lacking.collect();
     if command == "sweep" {
         all.extend(of_a_sweep(matches, &is_given, language));
+    }
+    let figure = || matches.try_get_one::<String>("figure").ok().flatten();
+    if command == "plot" && is_given("by") && figure().is_some_and(|figure| figure != MAP) {
+        let needed = format!("--figure {MAP}");
+        all.push(Unanswered::option("by", (terminal::no_effect_without(&needed, language), None)));
     }
     (!all.is_empty()).then(|| Unanswered::combined(all))
 }

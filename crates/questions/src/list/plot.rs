@@ -9,7 +9,7 @@ use axis::AxisProject;
 use configurator::ProductId;
 use quantities::Length;
 use std::borrow::Cow;
-use words::{help, help::values, requests, terminal};
+use words::{help, help::values, requests};
 
 /// Pictures of a project, by their identifiers.
 pub const FIGURES: [&str; 6] = ["torque_speed", "cycle", "utilisation", "torsion", "bearing_load", "candidate_map"];
@@ -24,7 +24,7 @@ pub const WIDTH: Argument = Argument::option("width", values::length, help::widt
 pub const HEIGHT: Argument = Argument::option("height", values::length, help::height);
 
 /// The only picture with an abscissa to choose.
-const MAP: &str = "candidate_map";
+pub const MAP: &str = "candidate_map";
 
 arguments! {
     /// Arguments of `plot`: axis, actuator, picture and its layout.
@@ -74,14 +74,8 @@ impl Args {
     /// Returns the axis to draw.
     ///
     /// # Errors
-    /// Faults of the project, several axes without a name, an abscissa of a picture that has none to choose.
+    /// Faults of the project, several axes without a name.
     pub fn drawn(&self, inquiry: &Inquiry<'_>) -> Result<AxisProject, Unanswered> {
-        // The usual abscissa is none of the call.
-        let is_by = inquiry.given.all("by").next().is_some();
-        if is_by && self.figure.as_deref() != Some(MAP) {
-            let needed = format!("--figure {MAP}");
-            return Err(Unanswered::option("by", (terminal::no_effect_without(&needed, inquiry.language), None)));
-        }
         inquiry.axis(self.axis.as_deref(), Cost::Other).map(|(_, project)| project)
     }
 }
