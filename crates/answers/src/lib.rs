@@ -82,7 +82,7 @@ pub use reference::reference;
 pub use schema::{Answered, Axes, Record, VERSION, schema};
 pub use sheet::{CatalogueCell, NoteBy, Sheet, SheetNote, SheetSection, SheetValue};
 pub use simulation::{
-    Compared, ControlLoop, DayOfOperation, EncoderFailure, Figure, Figures, HourOfOperation, ModelParameter,
+    Compared, ControlLoop, DayOfOperation, EncoderFailure, Figure, Figures, HourOfOperation, ModelParameter, Overrun,
     SimulatedEvent, SimulatedVerdict, Simulation, WorstInstant, WorstOfDirection,
 };
 pub use sizing::derivation::Formula;

@@ -74,10 +74,29 @@ pub struct WorstInstant {
     pub effect: Id<EventEffect>,
     /// Number of instants examined.
     pub examined: u32,
+    /// `true` if the limit of the steps left further instants out.
+    pub limited: bool,
     /// Worst instant of every direction of motion, the chosen one first.
     pub directions: Vec<WorstOfDirection>,
+    /// Farthest ways beyond the ends of the motion; empty if the axis stays between them or has none.
+    pub overruns: Vec<Overrun>,
     /// Choice as text.
     pub title: String,
+}
+
+/// Farthest way beyond an end of the motion after an event.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Overrun {
+    /// Direction of the output in which the end is passed.
+    pub end: Id<MotionDirection>,
+    /// Instant of the event \[s\].
+    pub at: Number,
+    /// Distance of the farthest position from the end.
+    pub value: Number,
+    /// Unit of the distance: mm along a linear axis, else degrees.
+    pub unit: &'static str,
+    /// The axis comes to rest within the examined time.
+    pub rests: bool,
 }
 
 /// Worst instant of a direction of motion.

@@ -167,7 +167,8 @@ pub(crate) fn simulate<'p>(
         Some(_) => Work::of_part(&scenario),
         None => Work::of_axis(project, &scenario, wanted.operation.is_some()),
     };
-    Work::within(&[work.with_run(twin.steps())], limit)?;
+    let work = work.with_run(twin.steps());
+    Work::within(&[work], limit)?;
     let rows_every = wanted.every_s.map(|every| (every * twin::CURRENT_RATE_HZ).round().max(1.0));
     if let Some(every) = rows_every {
         #[allow(
@@ -194,7 +195,8 @@ pub(crate) fn simulate<'p>(
         None => None,
     };
     setup.start_k = start_k;
-    let worst = watched(progress, |goes_on| twin::worst_instant(&setup, goes_on))?;
+    let searched = work.search_periods(limit);
+    let worst = watched(progress, |goes_on| twin::worst_instant(&setup, searched, goes_on))?;
     if let Some(first) = worst.as_ref().and_then(|worst| worst.directions.first()) {
         setup.scenario.at_s = Some(first.at_s);
     }

@@ -2,7 +2,7 @@
 
 use crate::scenario::Part;
 use motion::{Hold, Motion, Piece};
-use quantities::Measure;
+use quantities::{Angle, Measure};
 
 /// Setpoint of the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -116,6 +116,29 @@ impl<'a> Course<'a> {
             (0..placed.intervals()).filter_map(|index| Some(placed.interval(index)?.acceleration_rad_s2().abs()))
         });
         laws.chain(recorded).fold(0.0, f64::max)
+    }
+
+    /// Returns the lowest and the highest position of the motion \[rad\]; `None` if the cycle does not end where it
+    /// starts, so that the axis has no ends.
+    pub(crate) fn ends_rad(&self) -> Option<[f64; 2]> {
+        let laws =
+            self.motion.pieces().iter().flat_map(|piece| {
+                (0..=8).map(|eighth| piece.at(piece.duration_s * f64::from(eighth) / 8.0).position_rad)
+            });
+        let recorded = self.motion.recordings().iter().flat_map(|placed| {
+            (0..placed.intervals())
+                .filter_map(|index| placed.interval(index))
+                .flat_map(|interval| [0.0, 1.0].map(|share| interval.at(share).0))
+        });
+        let mut travelled = 0.0;
+        let mut last = None;
+        let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
+        for position in laws.chain(recorded) {
+            travelled += last.replace(position).map_or(0.0, |last: f64| (position - last).abs());
+            ends = [ends[0].min(position), ends[1].max(position)];
+        }
+        let returns = self.motion.ends_where_it_starts(Angle::from_si(travelled), Angle::from_si(ends[1] - ends[0]));
+        (ends[1] > ends[0] && returns).then_some(ends)
     }
 
     /// Returns beginning and duration of the first cycle, or of the part, as times of the motion \[s\].

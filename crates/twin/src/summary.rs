@@ -74,6 +74,8 @@ pub(crate) struct Gathered {
     stop_from: Option<(f64, f64)>,
     stop: Option<(f64, f64)>,
     stop_way: f64,
+    /// Lowest and highest position after the event, until the axis is at rest \[rad\].
+    reached: [f64; 2],
 }
 
 /// Largest number of errors stored for one rest: a hundred seconds.
@@ -101,6 +103,7 @@ impl Gathered {
             stop_from: None,
             stop: None,
             stop_way: 0.0,
+            reached: [f64::INFINITY, f64::NEG_INFINITY],
         }
     }
 
@@ -117,6 +120,11 @@ impl Gathered {
     /// Returns the largest distance from the place of the event so far \[rad\].
     pub(crate) fn travel_rad(&self) -> f64 {
         self.stop.map_or(self.stop_way, |(_, way)| way)
+    }
+
+    /// Returns the lowest and the highest position after the event so far \[rad\].
+    pub(crate) const fn reached_rad(&self) -> [f64; 2] {
+        self.reached
     }
 
     /// Returns the lowest DC link voltage so far \[V\].
@@ -183,6 +191,7 @@ impl Gathered {
         let (since, place) = *self.stop_from.get_or_insert((time, position));
         if self.stop.is_none() {
             self.stop_way = self.stop_way.max((position - place).abs());
+            self.reached = [self.reached[0].min(position), self.reached[1].max(position)];
         }
         // The first instant of rest counts, unless the axis moves again.
         if rests && self.stop.is_none() && time > since + 0.01 {

@@ -31,7 +31,9 @@ use commanded::Commanded;
 pub use commanded::Reading;
 use reading::Encoder;
 pub use sample::Sample;
-pub use worst::{EXAMINED_S, EventEffect, INSTANTS_MOST, MotionDirection, WorstInstant, WorstOf, worst_instant};
+pub use worst::{
+    EventEffect, INSTANTS_MOST, MotionDirection, Overrun, WorstInstant, WorstOf, search_periods, worst_instant,
+};
 
 /// Duration of a period of the current loop \[s\].
 pub(crate) const PERIOD_S: f64 = 1.0 / CURRENT_RATE_HZ;

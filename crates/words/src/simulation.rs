@@ -19,6 +19,15 @@ texts! {
         "Instant of the event: the worst of {count} examined over the cycle, {direction}, by the {effect} ({value})"
         | "Zeitpunkt des Ereignisses: der ungünstigste von {count} im Zyklus untersuchten, {direction}, nach {effect} ({value})";
     worst_elsewhere(direction, value, time) = "{direction}: {value} at {time} s" | "{direction}: {value} bei {time} s";
+    overrun_above(value, time) =
+        "beyond the highest position of the motion by up to {value} (event at {time} s)"
+        | "über die höchste Position der Bewegung hinaus um bis zu {value} (Ereignis bei {time} s)";
+    overrun_below(value, time) =
+        "beyond the lowest position of the motion by up to {value} (event at {time} s)"
+        | "über die niedrigste Position der Bewegung hinaus um bis zu {value} (Ereignis bei {time} s)";
+    search_limited =
+        "the limit of the steps left further instants out (--deadline for all)"
+        | "die Grenze der Schritte ließ weitere Zeitpunkte aus (alle mit --deadline)";
     no_rest(value) = "{value} after 2 s, still moving" | "{value} nach 2 s, noch in Bewegung";
     direction_positive = "in positive direction" | "in positiver Richtung";
     direction_negative = "in negative direction" | "in negativer Richtung";

@@ -3,7 +3,7 @@
 use crate::simulate::{COMPARED, Shown, Simulated};
 use answers::{
     Compared, ControlLoop, DayOfOperation, EncoderFailure, Figure, Figures, HourOfOperation, Id, ModelParameter,
-    Number, SimulatedEvent, SimulatedVerdict, Simulation, WorstInstant, WorstOfDirection,
+    Number, Overrun, SimulatedEvent, SimulatedVerdict, Simulation, WorstInstant, WorstOfDirection,
 };
 use feedback::Failure;
 use quantities::unit::{
@@ -28,7 +28,7 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Simulation {
         scenario: Id(run.scenario.id),
         title: simulation::scenario_title(run.scenario.id, language),
         at: run.events.iter().find(|event| event.kind == EventKind::Scenario).map(|event| Number(event.time_s)),
-        instant: run.worst.as_ref().map(|worst| worst_instant(worst, language)),
+        instant: run.worst.as_ref().map(|worst| worst_instant(worst, run, language)),
         reaction: Id(run.scenario.reaction),
         cycles: run.scenario.cycles.max(1),
         seed: run.seed,
@@ -53,9 +53,12 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Simulation {
     }
 }
 
-fn worst_instant(worst: &twin::WorstInstant, language: Language) -> WorstInstant {
+fn worst_instant(worst: &twin::WorstInstant, run: &Simulated<'_>, language: Language) -> WorstInstant {
+    // Along a linear axis ways are lengths.
+    let travel = run.project.axis.mechanism.travel_m_per_rad().map(f64::abs);
+    let (way_unit, per_rad) = travel.map_or((&DEGREE, 1.0), |travel| (&MILLIMETRE, travel));
     let (unit, effect) = match worst.effect {
-        EventEffect::Travel => (&DEGREE, simulation::effect_travel(language)),
+        EventEffect::Travel => (way_unit, simulation::effect_travel(language)),
         EventEffect::Torque => (&NEWTON_METRE, simulation::effect_torque(language)),
         EventEffect::Link => (&VOLT, simulation::effect_link(language)),
         EventEffect::Speed => (&REVOLUTION_PER_MINUTE, simulation::effect_speed(language)),
@@ -65,29 +68,55 @@ fn worst_instant(worst: &twin::WorstInstant, language: Language) -> WorstInstant
         MotionDirection::Negative => simulation::direction_negative(language),
         MotionDirection::Standstill => simulation::direction_standstill(language),
     };
-    let value = |each: &WorstOf| {
-        let number = format_significant(unit.from_si(each.value), 4, language);
+    let factor = if worst.effect == EventEffect::Travel { per_rad } else { 1.0 };
+    let shown = |si: f64, unit: &'static Unit, rests: bool| {
         let gap = if unit.symbol_in(language) == "°" { "" } else { "\u{a0}" };
+        let number = format_significant(unit.from_si(si), 4, language);
         let value = format!("{number}{gap}{}", unit.symbol_in(language));
-        if each.rests { value } else { simulation::no_rest(&value, language) }
+        if rests { value } else { simulation::no_rest(&value, language) }
     };
-    let mut parts = worst.directions.iter().enumerate().map(|(place, each)| match place {
-        0 => simulation::worst_instant(&worst.examined, &direction(each), &effect, &value(each), language),
-        _ => {
-            let time = format_significant(each.at_s, 4, language);
-            simulation::worst_elsewhere(&direction(each), &value(each), &time, language)
-        }
-    });
-    let first = parts.next().unwrap_or_default();
-    let title = parts.fold(first, |text, part| format!("{text}; {part}"));
+    let value = |each: &WorstOf| shown(factor * each.value, unit, each.rests);
+    let seconds = |time: f64| format_significant(time, 4, language);
+    let mut parts: Vec<String> = Vec::new();
+    for (place, each) in worst.directions.iter().enumerate() {
+        parts.push(if place == 0 {
+            simulation::worst_instant(&worst.examined, &direction(each), &effect, &value(each), language)
+        } else {
+            simulation::worst_elsewhere(&direction(each), &value(each), &seconds(each.at_s), language)
+        });
+    }
+    for each in &worst.overruns {
+        let value = shown(per_rad * each.beyond_rad, way_unit, each.rests);
+        parts.push(match each.end {
+            MotionDirection::Negative => simulation::overrun_below(&value, &seconds(each.at_s), language),
+            _ => simulation::overrun_above(&value, &seconds(each.at_s), language),
+        });
+    }
+    if worst.is_cut {
+        parts.push(simulation::search_limited(language).to_owned());
+    }
     let directions = worst.directions.iter().map(|each| WorstOfDirection {
         direction: Id(each.direction),
         at: Number(each.at_s),
-        value: Number::in_unit(each.value, unit),
+        value: Number::in_unit(factor * each.value, unit),
         unit: unit.json,
         rests: each.rests,
     });
-    WorstInstant { effect: Id(worst.effect), examined: worst.examined, directions: directions.collect(), title }
+    let overruns = worst.overruns.iter().map(|each| Overrun {
+        end: Id(each.end),
+        at: Number(each.at_s),
+        value: Number::in_unit(per_rad * each.beyond_rad, way_unit),
+        unit: way_unit.json,
+        rests: each.rests,
+    });
+    WorstInstant {
+        effect: Id(worst.effect),
+        examined: worst.examined,
+        limited: worst.is_cut,
+        directions: directions.collect(),
+        overruns: overruns.collect(),
+        title: parts.join("; "),
+    }
 }
 
 fn encoder_failure(failed: &Failed, language: Language) -> EncoderFailure {

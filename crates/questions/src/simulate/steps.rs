@@ -13,11 +13,6 @@ pub(crate) const STEPS_MOST: u64 = 50_000_000;
 const WARM_CYCLES: u64 = 8;
 const DAYS_CYCLES: u64 = 14;
 
-/// Largest number of steps after the instants that are examined for an event.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count")]
-const EXAMINED: u64 =
-    twin::INSTANTS_MOST as u64 * (twin::EXAMINED_S * twin::CURRENT_RATE_HZ) as u64 * twin::SUBSTEPS_USUAL as u64;
-
 /// Returns `true` if the instant of the event is chosen.
 const fn is_chosen(scenario: &Scenario) -> bool {
     scenario.id.has_instant() && scenario.at_s.is_none()
@@ -96,15 +91,31 @@ impl Work {
         self.cycle.saturating_mul(u64::from(self.cycles)).saturating_add(self.after)
     }
 
-    /// Returns the largest number of steps besides the run.
+    /// Returns the largest number of steps besides the run; the choice of an instant counts with the fewest that it needs.
     fn besides(&self) -> u64 {
         let warm = if self.warm { WARM_CYCLES } else { 0 };
         let days = if self.days { DAYS_CYCLES } else { 0 };
-        let chosen = if self.chosen { self.cycle.saturating_add(EXAMINED) } else { 0 };
-        self.cycle.saturating_mul(warm + days).saturating_add(chosen)
+        self.cycle.saturating_mul(warm + days).saturating_add(self.search()[0])
     }
 
-    /// Returns the largest number of steps.
+    /// Returns the smallest and the largest number of steps by which the instant of the event is chosen.
+    fn search(&self) -> [u64; 2] {
+        let substeps = u64::from(twin::SUBSTEPS_USUAL);
+        if !self.chosen {
+            return [0; 2];
+        }
+        twin::search_periods(self.cycle / substeps).map(|periods| periods.saturating_mul(substeps))
+    }
+
+    /// Returns the number of periods of the current loop for the choice of the instant: what the limit leaves, `None` for
+    /// as many as the choice needs.
+    pub(crate) fn search_periods(&self, limit: StepLimit) -> Option<u64> {
+        let [least, most] = self.search();
+        let left = STEPS_MOST.saturating_sub(self.most()).saturating_add(least);
+        (limit != StepLimit::None && left < most).then_some(left / u64::from(twin::SUBSTEPS_USUAL))
+    }
+
+    /// Returns the largest number of steps, with the fewest for the choice of an instant.
     pub(crate) fn most(&self) -> u64 {
         self.run().saturating_add(self.besides())
     }

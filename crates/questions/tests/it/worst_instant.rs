@@ -65,9 +65,13 @@ fn no_instant_of_a_cycle_is_worse_than_the_chosen_one() {
             assert!(examined > 5 && examined <= u64::from(twin::INSTANTS_MOST), "{examined}");
             assert_eq!(worst["at"], chosen["at"]);
             let found = angle(&chosen);
-            // The examined way is that of the run.
+            // The examined way is that of the run, in its unit.
             let said = worst["value"].as_f64().unwrap();
-            assert!(found.is_infinite() || (said - found).abs() < 1e-9, "{said} {found} {text}");
+            let way = &chosen["summary"][if worst["unit"] == "mm" { "stop_travel" } else { "stop_angle" }]["value"];
+            let way = way.as_f64().unwrap_or(f64::INFINITY);
+            assert!(way.is_infinite() || (said - way).abs() < 1e-9 * way.max(1.0), "{said} {way} {text}");
+            let travels = chosen["summary"]["stop_travel"]["value"].is_number();
+            assert!(travels == (worst["unit"] == "mm") || worst["effect"] != "travel", "{text}");
             backwards += u32::from(worst["direction"] == "negative");
             for place in 0..GRID {
                 let at = (out + back + 0.8) * (f64::from(place) + 0.5) / f64::from(GRID);

@@ -71,7 +71,8 @@ pub(super) fn happens(setup: &Setup<'_>, course: &Course<'_>) -> Result<Option<f
 /// Duration of the run-up over the sum of the time constants of load and control \[1\], and its limits \[s\]. A choice:
 /// transients of the first state decay to e⁻⁶, with heavy loads on soft gears to less.
 const RUN_UP: f64 = 6.0;
-const RUN_UP_S: [f64; 2] = [0.1, 2.0];
+const RUN_UP_S: [f64; 2] = [0.1, RUN_UP_MOST_S];
+pub(super) const RUN_UP_MOST_S: f64 = 2.0;
 
 impl Twin<'_> {
     /// Brings an axis whose cycle begins in motion into the state of its first instant: a run-up before the time 0 that

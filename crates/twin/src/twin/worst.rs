@@ -1,9 +1,10 @@
 //! Instant of an event that the call leaves open: that with the worst effect.
 
+use super::start::RUN_UP_MOST_S;
 use super::{PERIOD_S, Twin};
 use crate::control::POSITION_EVERY;
 use crate::drive::Phase;
-use crate::scenario::{EventKind, Reaction, ScenarioId};
+use crate::scenario::{EventKind, Part, Reaction, Scenario, ScenarioId};
 use crate::setup::{Fault, Setup};
 use crate::summary::Gathered;
 use quantities::identified;
@@ -56,18 +57,43 @@ pub struct WorstInstant {
     pub effect: EventEffect,
     /// Number of instants examined.
     pub examined: u32,
+    /// The search left instants out because of its largest number of periods.
+    pub is_cut: bool,
     /// Worst instant of every direction, the worst of all first.
     pub directions: Vec<WorstOf>,
+    /// Events after which the axis leaves the range of its motion farthest, one for each end that it passes; empty if the
+    /// cycle does not end where it starts.
+    pub overruns: Vec<Overrun>,
 }
 
-/// Largest number of instants examined: three by direction, direction and property, nine at rest, eight in the search
-/// about each of three.
-pub const INSTANTS_MOST: u32 = 2 * 3 * MOVES + 3 * RESTS + 3 * 2 * ROUNDS;
+/// Farthest way beyond an end of the motion after an event.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Overrun {
+    /// Direction of the end: [`MotionDirection::Positive`] beyond the highest position of the motion.
+    pub end: MotionDirection,
+    /// Instant of the event \[s\].
+    pub at_s: f64,
+    /// Distance of the farthest position from the end of the motion \[rad\].
+    pub beyond_rad: f64,
+    /// The axis comes to rest within the examined time.
+    pub rests: bool,
+}
+
+/// Largest number of instants examined: four moves by direction and property, three at each of three standstills, eight in
+/// the search about the worst of each direction and about the farthest beyond each end.
+pub const INSTANTS_MOST: u32 = 2 * 4 * MOVES + 3 * RESTS + (3 + 2) * 2 * ROUNDS;
+
+/// Number of instants below which a search is not begun.
+const INSTANTS_LEAST: u32 = 12;
 
 /// Longest time after the event that is examined \[s\].
-pub const EXAMINED_S: f64 = 2.0;
+const EXAMINED_S: f64 = 2.0;
 
-/// Moves of each direction, by each of three properties.
+/// Longest cycle that is run to reach its instants \[s\]: in a longer one every instant has its own run-up, of at most
+/// [`RUN_UP_MOST_S`], which is less work.
+const RUN_WHOLE_S: f64 = RUN_UP_MOST_S * INSTANTS_MOST as f64;
+
+/// Moves of each direction, by each of four properties.
 const MOVES: u32 = 4;
 
 /// Standstills, each at beginning, middle and end.
@@ -77,6 +103,10 @@ const RESTS: u32 = 3;
 /// long in each further round.
 const ROUNDS: u32 = 4;
 const FIRST_STEP: f64 = 0.125;
+
+/// Way beyond an end of the motion from which it counts, relative to the range of the motion: less is the following error
+/// of any stop at the end.
+const OVERRUN_LEAST: f64 = 1e-3;
 
 /// Time after the event at which a drive that still runs is left \[s\].
 const RUNNING_S: f64 = 0.5;
@@ -99,7 +129,7 @@ struct Stretch {
     from_s: f64,
     until_s: f64,
     /// Largest values of the properties, with their instants.
-    properties: [(f64, f64); 3],
+    properties: [(f64, f64); 4],
 }
 
 /// An examined instant.
@@ -111,6 +141,8 @@ struct Seen {
     travel_rad: f64,
     /// Torque, negative voltage or speed.
     second: f64,
+    /// Distance beyond the lower and the upper end of the motion \[rad\], negative within.
+    beyond_rad: [f64; 2],
 }
 
 impl Seen {
@@ -131,9 +163,13 @@ impl Seen {
 /// axis travels farthest until it is at rest, or with the largest torque of a collision or a blocked load, or with the
 /// lowest DC link if a drop of the supply stops nothing.
 ///
-/// In every move speed, power and the travel of a rigid body under friction, load and brake give the first instants, and a
-/// search about the worst of each direction the further ones; from each the run itself goes on until rest. Standstills
-/// have beginning, middle and end.
+/// In every move speed, power, and travel and end of travel of a rigid body under friction, load and brake give the first
+/// instants, and a search about the worst of each direction, and about the farthest beyond each end of a motion that
+/// returns, the further ones; from each the run itself goes on until rest. Standstills have beginning, middle and end. In
+/// a cycle longer than 162 s each instant is reached by a run-up of its own.
+///
+/// With `periods_most` the search ends before it computes more periods of the current loop than that;
+/// [`search_periods`] has the number that suffices.
 ///
 /// # Source
 /// docs/theory/twin.md
@@ -142,16 +178,24 @@ impl Seen {
 /// rigid travel, speed and power
 /// # Errors
 /// [`Fault`] of [`Twin::new`]; `Ok(None)` if the scenario has no instant, the setup states it, or the caller cancels
-pub fn worst_instant(setup: &Setup<'_>, mut goes_on: impl FnMut() -> bool) -> Result<Option<WorstInstant>, Fault> {
+pub fn worst_instant(
+    setup: &Setup<'_>,
+    periods_most: Option<u64>,
+    mut goes_on: impl FnMut() -> bool,
+) -> Result<Option<WorstInstant>, Fault> {
     if !setup.scenario.id.has_instant() || setup.scenario.at_s.is_some() {
         return Ok(None);
     }
     let mut base = Twin::new(setup)?;
     base.happens_s = None;
-    let stretches = base.stretches();
+    let ends_rad = base.course.ends_rad();
+    let stretches = base.stretches(ends_rad);
     let end_s = base.course.first_cycle_s();
+    let whole = periods_of(end_s);
+    let left = periods_most.unwrap_or(u64::MAX).saturating_sub(if end_s > RUN_WHOLE_S { 0 } else { whole });
+    let states_most = if end_s > RUN_WHOLE_S { 1 } else { STATES };
     let mut states = vec![base];
-    for place in 1..STATES {
+    for place in 1..states_most {
         let until = tick_of(end_s * f64::from(place) / f64::from(STATES));
         let Some(mut next) = states.last().cloned() else { break };
         if !next.advance_watched(until, &mut goes_on) {
@@ -160,39 +204,91 @@ pub fn worst_instant(setup: &Setup<'_>, mut goes_on: impl FnMut() -> bool) -> Re
         next.gathered = Gathered::new(setup.settled_rad);
         states.push(next);
     }
-    let mut search = Search { setup, states, stretches, end_s, seen: Vec::new(), goes_on: &mut goes_on };
-    Ok(search.found())
+    let mut search = Search {
+        setup,
+        states,
+        stretches,
+        end_s,
+        ends_rad,
+        seen: Vec::new(),
+        left,
+        is_cut: false,
+        goes_on: &mut goes_on,
+    };
+    search.found()
+}
+
+/// Returns the smallest and the largest number of periods of the current loop of a search in a cycle.
+#[must_use]
+pub fn search_periods(cycle: u64) -> [u64; 2] {
+    let whole = periods_of(RUN_WHOLE_S);
+    let (to_reach, each_s) = if cycle > whole { (0, RUN_UP_MOST_S + EXAMINED_S) } else { (cycle, EXAMINED_S) };
+    [INSTANTS_LEAST, INSTANTS_MOST].map(|instants| to_reach + u64::from(instants) * periods_of(each_s))
 }
 
 struct Search<'s, 'a> {
     setup: &'s Setup<'a>,
+    /// States of the run to go on from; the first alone in a long cycle.
     states: Vec<Twin<'a>>,
     stretches: Vec<Stretch>,
     end_s: f64,
+    ends_rad: Option<[f64; 2]>,
     seen: Vec<Seen>,
+    /// Periods that may still be computed.
+    left: u64,
+    is_cut: bool,
     goes_on: &'s mut dyn FnMut() -> bool,
 }
 
-impl Search<'_, '_> {
+/// Ends of the motion, with their place in a pair.
+const ENDS: [(MotionDirection, usize); 2] = [(MotionDirection::Positive, 1), (MotionDirection::Negative, 0)];
+
+impl<'a> Search<'_, 'a> {
     /// Returns the worst instants; `None` if the caller cancels or there is no instant.
-    fn found(&mut self) -> Option<WorstInstant> {
+    fn found(&mut self) -> Result<Option<WorstInstant>, Fault> {
+        // A search that is cut has half its periods for the moves and half for the instants about the worst.
+        let kept = if self.left == u64::MAX { 0 } else { self.left / 2 };
+        self.left -= kept;
         for (at_s, stretch) in self.first() {
-            self.examine(at_s, stretch)?;
-        }
-        for direction in MotionDirection::ALL {
-            let Some(mut worst) = self.worst_of(direction) else { continue };
-            let Some(stretch) = self.stretches.get(worst.stretch) else { continue };
-            let (from_s, until_s) = (stretch.from_s, stretch.until_s);
-            let mut step = FIRST_STEP * (until_s - from_s);
-            for _ in 0..ROUNDS {
-                for way in [-step, step] {
-                    let at_s = (worst.at_s + way).clamp(from_s, until_s);
-                    self.examine(at_s, worst.stretch)?;
-                }
-                worst = self.worst_of(direction)?;
-                step *= 0.5;
+            if !self.examine(at_s, stretch)? {
+                return Ok(None);
             }
         }
+        self.left += kept;
+        for direction in MotionDirection::ALL {
+            if !self.refine(|search| search.worst_of(direction))? {
+                return Ok(None);
+            }
+        }
+        for (_, end) in ENDS {
+            if !self.refine(|search| search.farthest(end))? {
+                return Ok(None);
+            }
+        }
+        Ok(self.chosen())
+    }
+
+    /// Examines instants about that which is the worst so far; `false` if the caller cancels.
+    fn refine(&mut self, worst: impl Fn(&Self) -> Option<Seen>) -> Result<bool, Fault> {
+        let Some(mut found) = worst(self) else { return Ok(true) };
+        let Some(stretch) = self.stretches.get(found.stretch) else { return Ok(true) };
+        let (from_s, until_s) = (stretch.from_s, stretch.until_s);
+        let mut step = FIRST_STEP * (until_s - from_s);
+        for _ in 0..ROUNDS {
+            for way in [-step, step] {
+                let at_s = (found.at_s + way).clamp(from_s, until_s);
+                if !self.examine(at_s, found.stretch)? {
+                    return Ok(false);
+                }
+            }
+            found = worst(self).unwrap_or(found);
+            step *= 0.5;
+        }
+        Ok(true)
+    }
+
+    /// Returns the worst of the examined instants.
+    fn chosen(&self) -> Option<WorstInstant> {
         let mut found: Vec<(MotionDirection, Seen)> = MotionDirection::ALL
             .into_iter()
             .filter_map(|direction| Some((direction, self.worst_of(direction)?)))
@@ -221,9 +317,28 @@ impl Search<'_, '_> {
             },
             rests: seen.rests,
         });
+        let least_rad = self.ends_rad.map_or(f64::INFINITY, |[lower, upper]| OVERRUN_LEAST * (upper - lower));
+        let overruns = ENDS.into_iter().filter_map(|(end, place)| {
+            let seen = self.farthest(place)?;
+            let beyond_rad = *seen.beyond_rad.get(place)?;
+            (beyond_rad > least_rad).then_some(Overrun { end, at_s: seen.at_s, beyond_rad, rests: seen.rests })
+        });
         #[allow(clippy::cast_possible_truncation, reason = "some dozens")]
         let examined = self.seen.len() as u32;
-        Some(WorstInstant { effect, examined, directions: directions.collect() })
+        Some(WorstInstant {
+            effect,
+            examined,
+            is_cut: self.is_cut,
+            directions: directions.collect(),
+            overruns: overruns.collect(),
+        })
+    }
+
+    /// Returns the instant after which the axis is farthest beyond an end of the motion, by the place of the end.
+    fn farthest(&self, end: usize) -> Option<Seen> {
+        let beyond = |seen: &Seen| seen.beyond_rad.get(end).copied().unwrap_or(f64::NEG_INFINITY);
+        let all = self.seen.iter().filter(|seen| beyond(seen).is_finite());
+        all.copied().reduce(|most, seen| if beyond(&seen) > beyond(&most) { seen } else { most })
     }
 
     fn worst_of(&self, direction: MotionDirection) -> Option<Seen> {
@@ -235,28 +350,32 @@ impl Search<'_, '_> {
         self.stretches.get(stretch).is_some_and(|each| each.direction == direction)
     }
 
-    /// Returns the first instants, each with its stretch.
+    /// Returns the first instants, each with its stretch, those of the largest properties first.
     fn first(&self) -> Vec<(f64, usize)> {
         let mut found: Vec<(f64, usize)> = Vec::new();
         let scenario = self.setup.scenario.id;
-        let ranked = |direction: MotionDirection, property: usize, most: u32| {
+        let ranked = |direction: MotionDirection, property: usize| {
             let value = |stretch: &Stretch| stretch.properties.get(property).copied().unwrap_or_default();
             let own = self.stretches.iter().enumerate().filter(|(_, each)| each.direction == direction);
             let mut all: Vec<(f64, f64, usize)> =
                 own.map(|(place, each)| (value(each).0, value(each).1, place)).collect();
             all.sort_by(|a, b| b.0.total_cmp(&a.0));
-            all.truncate(most as usize);
             all
         };
         if scenario != ScenarioId::HangingLoad {
-            for property in [SPEED, TRAVEL, POWER] {
-                for direction in [MotionDirection::Positive, MotionDirection::Negative] {
-                    found.extend(ranked(direction, property, MOVES).iter().map(|&(_, at_s, place)| (at_s, place)));
-                }
+            let properties = [SPEED, TRAVEL, POWER, BEYOND].into_iter();
+            let ranks: Vec<_> = properties
+                .filter(|property| *property != BEYOND || self.ends_rad.is_some())
+                .flat_map(|property| {
+                    [MotionDirection::Positive, MotionDirection::Negative].map(|way| ranked(way, property))
+                })
+                .collect();
+            for rank in 0..MOVES as usize {
+                found.extend(ranks.iter().filter_map(|all| all.get(rank)).map(|&(_, at_s, place)| (at_s, place)));
             }
         }
         if scenario != ScenarioId::Collision {
-            for (_, _, place) in ranked(MotionDirection::Standstill, TRAVEL, RESTS) {
+            for &(_, _, place) in ranked(MotionDirection::Standstill, TRAVEL).iter().take(RESTS as usize) {
                 let Some(Stretch { from_s, until_s, .. }) = self.stretches.get(place) else { continue };
                 found.extend([*from_s, f64::midpoint(*from_s, *until_s), *until_s].map(|at_s| (at_s, place)));
             }
@@ -264,14 +383,28 @@ impl Search<'_, '_> {
         found
     }
 
-    /// Examines an instant; `None` if the caller cancels.
-    fn examine(&mut self, at_s: f64, stretch: usize) -> Option<()> {
+    /// Returns the run at an instant: on the way through the cycle, or in a long cycle after a run-up at the instant
+    /// itself; `None` if the caller cancels.
+    fn reached(&mut self, tick: u64) -> Result<Option<Twin<'a>>, Fault> {
+        let place = self.states.partition_point(|state| state.tick <= tick).saturating_sub(1);
+        let Some(state) = self.states.get(place) else { return Ok(None) };
+        if self.end_s <= RUN_WHOLE_S {
+            let mut fork = state.clone();
+            return Ok(fork.advance_watched(tick, self.goes_on).then_some(fork));
+        }
+        let from_s = self.setup.part.map_or(0.0, |part| part.from_s) + time_of(tick);
+        let part = Part { from_s, for_s: (self.end_s - time_of(tick)).max(PERIOD_S) };
+        let scenario = Scenario { at_s: Some(0.0), ..self.setup.scenario };
+        Twin::new(&Setup { part: Some(part), scenario, ..*self.setup }).map(Some)
+    }
+
+    /// Examines an instant; `false` if the caller cancels.
+    fn examine(&mut self, at_s: f64, stretch: usize) -> Result<bool, Fault> {
         let tick = tick_of(at_s);
         // The instant at which the drive reacts, if the axis is in the same state there.
         let exact_s = time_of(tick);
-        let place = self.states.partition_point(|state| state.tick <= tick).saturating_sub(1);
-        let state = self.states.get(place)?;
-        let stands = |time: f64| state.course.at(time).state[1].abs() < AT_REST;
+        let Some(course) = self.states.first().map(|state| &state.course) else { return Ok(true) };
+        let stands = |time: f64| course.at(time).state[1].abs() < AT_REST;
         let at_s = if stands(at_s) == stands(exact_s) { exact_s } else { at_s };
         let is_wrong = match self.setup.scenario.id {
             ScenarioId::HangingLoad => !stands(at_s),
@@ -279,47 +412,55 @@ impl Search<'_, '_> {
             _ => false,
         };
         if is_wrong || at_s >= self.end_s || self.seen.iter().any(|seen| (seen.at_s - at_s).abs() < 0.5 * PERIOD_S) {
-            return Some(());
+            return Ok(true);
         }
-        let speed = state.course.at(at_s).state[1].abs();
-        let mut fork = state.clone();
-        if !fork.advance_watched(tick, self.goes_on) {
-            return None;
+        let is_long = self.end_s > RUN_WHOLE_S;
+        let [most, running, run_up] = [EXAMINED_S, RUNNING_S, RUN_UP_MOST_S].map(periods_of);
+        let needed = most + if is_long { run_up } else { 0 };
+        if self.left < needed {
+            self.is_cut = true;
+            return Ok(true);
         }
-        fork.gathered = Gathered::new(self.setup.settled_rad);
-        fork.happens_s = Some(at_s);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "two seconds")]
-        let [most, running] = [EXAMINED_S, RUNNING_S].map(|time| (time / PERIOD_S) as u64);
-        (fork.end_tick, fork.latest_tick) = (tick + most, tick + most);
+        let speed = course.at(at_s).state[1].abs();
+        let settled_rad = self.setup.settled_rad;
+        let Some(mut fork) = self.reached(tick)? else { return Ok(false) };
+        let begin = fork.tick;
+        fork.gathered = Gathered::new(settled_rad);
+        fork.happens_s = Some(if is_long { time_of(begin) } else { at_s });
+        (fork.end_tick, fork.latest_tick) = (begin + most, begin + most);
         let rested_s = RESTED_S + fork.brake.delays()[1];
         let mut rested = 0.0;
         while !fork.is_over() && rested < rested_s {
             if !(self.goes_on)() {
-                return None;
+                return Ok(false);
             }
             fork.advance(CHUNK);
             let runs = fork.follows();
-            if runs && fork.tick > tick + running {
+            if runs && fork.tick > begin + running {
                 break;
             }
-            #[allow(clippy::cast_precision_loss, reason = "a count")]
-            let chunk_s = CHUNK as f64 * PERIOD_S;
-            rested = if !runs && fork.gathered.is_stopped() { rested + chunk_s } else { 0.0 };
+            rested = if !runs && fork.gathered.is_stopped() { rested + time_of(CHUNK) } else { 0.0 };
         }
+        self.left = self.left.saturating_sub(fork.tick - begin + needed - most);
         let stops = !fork.follows();
         let (second, counts) = match self.setup.scenario.id {
             ScenarioId::BlockedLoad | ScenarioId::Collision => (fork.gathered.torque_nm(), false),
             ScenarioId::LinkSag => (-fork.gathered.link_low_v(), stops),
             _ => (speed, stops),
         };
+        let [lowest, highest] = fork.gathered.reached_rad();
         self.seen.push(Seen {
             at_s,
             stretch,
             rests: !counts || fork.gathered.is_stopped(),
             travel_rad: if counts { fork.gathered.travel_rad() } else { 0.0 },
             second,
+            beyond_rad: match self.ends_rad {
+                Some([lower, upper]) if counts => [lower - lowest, highest - upper],
+                _ => [f64::NEG_INFINITY; 2],
+            },
         });
-        Some(())
+        Ok(true)
     }
 }
 
@@ -327,6 +468,7 @@ impl Search<'_, '_> {
 const SPEED: usize = 0;
 const TRAVEL: usize = 1;
 const POWER: usize = 2;
+const BEYOND: usize = 3;
 
 /// Speed below which the setpoint is at rest [rad/s].
 const AT_REST: f64 = 1e-9;
@@ -337,6 +479,12 @@ fn tick_of(time_s: f64) -> u64 {
     #[allow(clippy::cast_precision_loss, reason = "eight")]
     let every = POSITION_EVERY as f64 * PERIOD_S;
     (time_s / every - 1e-6).ceil().max(0.0) as u64 * POSITION_EVERY
+}
+
+/// Returns the number of periods of the current loop in a time.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a time of the run")]
+fn periods_of(time_s: f64) -> u64 {
+    (time_s / PERIOD_S) as u64
 }
 
 #[allow(clippy::cast_precision_loss, reason = "far below 2^53")]
@@ -371,7 +519,7 @@ impl Twin<'_> {
     }
 
     /// Returns the stretches of the first cycle, with the instants of their largest properties.
-    fn stretches(&self) -> Vec<Stretch> {
+    fn stretches(&self, ends_rad: Option<[f64; 2]>) -> Vec<Stretch> {
         let mut found: Vec<Stretch> = Vec::new();
         let mut segment = usize::MAX;
         for time in self.course.instants() {
@@ -382,7 +530,14 @@ impl Twin<'_> {
                 _ if speed > 0.0 => MotionDirection::Positive,
                 _ => MotionDirection::Negative,
             };
-            let properties = self.properties(time);
+            let [speed_of, travel, power] = self.properties(time);
+            // Position beyond the end ahead, if the rigid body stopped from here.
+            let beyond = match ends_rad {
+                Some([lower, _]) if speed < 0.0 => lower - point.state[0] + travel,
+                Some([_, upper]) => point.state[0] + travel - upper,
+                None => f64::NEG_INFINITY,
+            };
+            let properties = [speed_of, travel, power, beyond];
             match found.last_mut() {
                 Some(last) if last.direction == direction && segment == point.segment => {
                     last.until_s = time;

@@ -16,6 +16,7 @@ mod logger;
 mod moving;
 mod runs;
 mod steady;
+mod worst;
 mod wrong_columns;
 mod wrong_projects;
 
