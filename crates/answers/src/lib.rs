@@ -82,8 +82,8 @@ pub use reference::reference;
 pub use schema::{Answered, Axes, Record, VERSION, schema};
 pub use sheet::{CatalogueCell, NoteBy, Sheet, SheetNote, SheetSection, SheetValue};
 pub use simulation::{
-    Compared, ControlLoop, DayOfOperation, EncoderFailure, Figure, Figures, HourOfOperation, ModelParameter, Overrun,
-    SimulatedEvent, SimulatedVerdict, Simulation, WorstInstant, WorstOfDirection,
+    Compared, ControlLoop, DayOfOperation, EncoderFailure, EndOverrun, Figure, Figures, HourOfOperation,
+    ModelParameter, SimulatedEvent, SimulatedVerdict, Simulation, WorstInstant, WorstOfDirection,
 };
 pub use sizing::derivation::Formula;
 pub use sizing::{CheckId, Direction, Part, Shaft, Verdict};

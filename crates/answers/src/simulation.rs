@@ -79,14 +79,14 @@ pub struct WorstInstant {
     /// Worst instant of every direction of motion, the chosen one first.
     pub directions: Vec<WorstOfDirection>,
     /// Farthest ways beyond the ends of the motion; empty if the axis stays between them or has none.
-    pub overruns: Vec<Overrun>,
+    pub overruns: Vec<EndOverrun>,
     /// Choice as text.
     pub title: String,
 }
 
 /// Farthest way beyond an end of the motion after an event.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Overrun {
+pub struct EndOverrun {
     /// Direction of the output in which the end is passed.
     pub end: Id<MotionDirection>,
     /// Instant of the event \[s\].

@@ -40,7 +40,7 @@ pub use scenario::{Event, EventKind, Failed, Part, Reaction, Scenario, ScenarioI
 pub use setup::{Fault, SUBSTEPS_USUAL, Setup, Supply, Switches};
 pub use summary::Summary;
 pub use twin::{
-    EventEffect, INSTANTS_MOST, MotionDirection, Overrun, Reading, Sample, Twin, WorstInstant, WorstOf, search_periods,
-    worst_instant,
+    EndOverrun, EventEffect, INSTANTS_MOST, MotionDirection, Reading, Sample, Twin, WorstInstant, WorstOf,
+    search_periods, worst_instant,
 };
 pub use warm::settled;

@@ -32,7 +32,7 @@ pub use commanded::Reading;
 use reading::Encoder;
 pub use sample::Sample;
 pub use worst::{
-    EventEffect, INSTANTS_MOST, MotionDirection, Overrun, WorstInstant, WorstOf, search_periods, worst_instant,
+    EndOverrun, EventEffect, INSTANTS_MOST, MotionDirection, WorstInstant, WorstOf, search_periods, worst_instant,
 };
 
 /// Duration of a period of the current loop \[s\].

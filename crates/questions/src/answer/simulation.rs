@@ -2,8 +2,8 @@
 
 use crate::simulate::{COMPARED, Shown, Simulated};
 use answers::{
-    Compared, ControlLoop, DayOfOperation, EncoderFailure, Figure, Figures, HourOfOperation, Id, ModelParameter,
-    Number, Overrun, SimulatedEvent, SimulatedVerdict, Simulation, WorstInstant, WorstOfDirection,
+    Compared, ControlLoop, DayOfOperation, EncoderFailure, EndOverrun, Figure, Figures, HourOfOperation, Id,
+    ModelParameter, Number, SimulatedEvent, SimulatedVerdict, Simulation, WorstInstant, WorstOfDirection,
 };
 use feedback::Failure;
 use quantities::unit::{
@@ -102,7 +102,7 @@ fn worst_instant(worst: &twin::WorstInstant, run: &Simulated<'_>, language: Lang
         unit: unit.json,
         rests: each.rests,
     });
-    let overruns = worst.overruns.iter().map(|each| Overrun {
+    let overruns = worst.overruns.iter().map(|each| EndOverrun {
         end: Id(each.end),
         at: Number(each.at_s),
         value: Number::in_unit(per_rad * each.beyond_rad, way_unit),

@@ -63,12 +63,12 @@ pub struct WorstInstant {
     pub directions: Vec<WorstOf>,
     /// Events after which the axis leaves the range of its motion farthest, one for each end that it passes; empty if the
     /// cycle does not end where it starts.
-    pub overruns: Vec<Overrun>,
+    pub overruns: Vec<EndOverrun>,
 }
 
 /// Farthest way beyond an end of the motion after an event.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Overrun {
+pub struct EndOverrun {
     /// Direction of the end: [`MotionDirection::Positive`] beyond the highest position of the motion.
     pub end: MotionDirection,
     /// Instant of the event \[s\].
@@ -321,7 +321,7 @@ impl<'a> Search<'_, 'a> {
         let overruns = ENDS.into_iter().filter_map(|(end, place)| {
             let seen = self.farthest(place)?;
             let beyond_rad = *seen.beyond_rad.get(place)?;
-            (beyond_rad > least_rad).then_some(Overrun { end, at_s: seen.at_s, beyond_rad, rests: seen.rests })
+            (beyond_rad > least_rad).then_some(EndOverrun { end, at_s: seen.at_s, beyond_rad, rests: seen.rests })
         });
         #[allow(clippy::cast_possible_truncation, reason = "some dozens")]
         let examined = self.seen.len() as u32;
