@@ -36,6 +36,10 @@ pub struct GlossaryCheck {
     pub en: String,
     /// German title.
     pub de: String,
+    /// What the check compares, in English.
+    pub meaning_en: &'static str,
+    /// What the check compares, in German.
+    pub meaning_de: &'static str,
 }
 
 /// A word of the product.

@@ -195,6 +195,9 @@ pub struct Sizing {
     /// Values of the gearing with which an actuator would fit, one change at a time; only if nothing fits.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub would_fit_with: Vec<WouldFit>,
+    /// Law of motion in place of the assumed one with which an actuator would fit; only if nothing fits and a law is open.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub would_fit_with_law: Option<WouldFitWithLaw>,
     /// Assumptions.
     pub assumptions: Vec<AssumptionEntry>,
     /// Stage between actuator and mechanism; only if the project has one.
@@ -216,6 +219,25 @@ pub struct WouldFit {
     /// Unit of the value; `1` for a ratio.
     pub unit: &'static str,
     /// Best ordering code with this value.
+    pub code: String,
+    /// Verdict on this code.
+    pub verdict: Fit,
+    /// `true` if the code fits only if an estimate holds.
+    pub if_estimate: bool,
+    /// `true` if the code fits unless a gear rating of another manufacturer applies.
+    pub unless_rating: bool,
+}
+
+/// A law of motion with which an actuator would fit.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct WouldFitWithLaw {
+    /// Law of every move whose law is open, as in project files.
+    pub law: &'static str,
+    /// Law as text.
+    pub title: &'static str,
+    /// Keys of these laws.
+    pub keys: Vec<String>,
+    /// Best ordering code with this law.
     pub code: String,
     /// Verdict on this code.
     pub verdict: Fit,

@@ -5,7 +5,9 @@ use crate::draft::{finish, prepare};
 use crate::driven::Driven;
 use crate::fault::AxisReport;
 use crate::mechanism::driven;
+use crate::source::AxisSource;
 use mechanism::{Stage, StageKind};
+use project::choices::Law;
 use project::sections::{Counterweight, Fields, StatedField, group};
 use project::{Kind, key_at};
 use quantities::unit::{KILOGRAM, MILLIMETRE, ONE};
@@ -83,6 +85,19 @@ impl AxisProject {
         for (path, si) in values {
             root.set(path, si)?;
         }
+        self.rebuilt(root)
+    }
+
+    /// Returns the project with a law in place of every one that is open, and the paths of these keys; `None` without an
+    /// open law, or if the moves are not possible with it.
+    #[must_use]
+    pub fn with_open_laws(&self, law: Law) -> Option<(Self, Vec<String>)> {
+        let mut root = self.root.clone();
+        let paths = root.decide_laws(law);
+        Some((self.rebuilt(root)?, paths)).filter(|(_, paths)| !paths.is_empty())
+    }
+
+    fn rebuilt(&self, root: AxisSource) -> Option<Self> {
         let mut report = AxisReport::new("");
         let draft = prepare(&root, &*self.catalogue, &mut report)?;
         (report.fault_count() == 0).then(|| Self { axis: finish(&root, draft), root, ..self.clone() })

@@ -295,7 +295,8 @@ pub(crate) fn help_on_check(matches: &ArgMatches, language: Language) -> Command
     let check_of = |id: &str| CheckId::ALL.iter().copied().find(|check| check.id() == id);
     let found = LIST.iter().copied().filter(|entry| entry.command == "explain").find_map(check);
     let Some(id) = found.and_then(check_of) else { return CommandAnswer::none() };
-    CommandAnswer::data(checks::what_a_check_is(&words::check_title(id, language), id.id(), language))
+    let about = (&*words::check_title(id, language), id.id(), words::check_meaning(id, language));
+    CommandAnswer::data(checks::what_a_check_is(about, language))
 }
 
 /// Returns a manual page.

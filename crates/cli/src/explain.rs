@@ -13,7 +13,9 @@ use questions::list::{Cost, Inquiry, Unanswered, explain};
 use questions::texts::{margin_share, node_amount, trust, verdict_text};
 use questions::{Candidate, Check, Verdict};
 use std::fmt::Write as _;
-use words::{check_missing, erratum_line, note_text, percent_text, symbol_shown, terminal, title_of_check};
+use words::{
+    check_meaning, check_missing, erratum_line, note_text, percent_text, symbol_shown, terminal, title_of_check,
+};
 
 /// `antrieb explain PROJECT --code CODE [--check ID]`
 pub(crate) fn explain(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
@@ -33,6 +35,7 @@ fn derivations(project: &AxisProject, candidate: &Candidate<'_>, checks: &[&Chec
     let mut out = String::new();
     for check in failed.into_iter().chain(others) {
         out.push_str(&paragraph("", &format!("{}: {}", candidate.id, heading(check, language))));
+        out.push_str(&paragraph("  ", check_meaning(check.id, language)));
         out.push_str(&text(check, language));
         out.push('\n');
     }

@@ -54,7 +54,8 @@ pub(crate) fn glossary(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Command
     }
     for check in &found.checks {
         let [own, _] = own_and_foreign(&check.en, &check.de, language);
-        parts.push(what_a_check_is(own, &check.id, language));
+        let [meaning, _] = own_and_foreign(check.meaning_en, check.meaning_de, language);
+        parts.push(what_a_check_is((own, &check.id, meaning), language));
     }
     Ok(CommandAnswer::data(parts.join("\n")))
 }

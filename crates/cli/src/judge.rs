@@ -13,8 +13,9 @@ use questions::list::check::Verification;
 use questions::list::size::Ranking;
 use questions::list::{Inquiry, Unanswered, check, size};
 use questions::texts::{
-    by_importance, compared_texts, counts_text, demand_figures, fitting_text, instant_text, margin_text, mend_text,
-    objection_text, percent, provisos, reason, rejections, shown, standing_text, unit_text, verdict_of, verdict_text,
+    by_importance, compared_texts, counts_text, demand_figures, fitting_text, instant_text, law_text, margin_text,
+    mend_text, objection_text, percent, provisos, reason, rejections, shown, standing_text, unit_text, verdict_of,
+    verdict_text,
 };
 use questions::{Candidate, Check, Demand, Objection, Reserve, Sizing, Verdict};
 use std::collections::BTreeSet;
@@ -129,8 +130,11 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
         None => writeln!(out, "{name}: {}", paint(terminal::no_actuator_fits(language), Verdict::Fail)),
     };
     let _ = writeln!(out, "{}", fitting_text(sizing, language));
-    if !found.gearing_proposals.is_empty() {
-        let all: Vec<String> = found.gearing_proposals.iter().map(|mend| mend_text(mend, language)).collect();
+    if let Some(law) = &found.proposals.law {
+        out.push_str(&labelled(terminal::would_fit_with_another_law(language), &law_text(law, language)));
+    }
+    if !found.proposals.gearings.is_empty() {
+        let all: Vec<String> = found.proposals.gearings.iter().map(|mend| mend_text(mend, language)).collect();
         out.push_str(&labelled(terminal::would_fit_with_other_gearing(language), &all.join("; ")));
     }
     out.push('\n');

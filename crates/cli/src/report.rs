@@ -14,7 +14,7 @@ use questions::list::commission::{DriveForm, usual_ambient};
 use questions::list::mount::MountInputs;
 use questions::list::{Inquiry, Unanswered, report as args};
 use questions::texts::standing_text;
-use questions::{Candidate, Draw, ProductId, Progress, Refusal, Rejected, Sizing, answer, chapter};
+use questions::{Candidate, Draw, ProductId, Progress, Proposals, Refusal, Rejected, Sizing, answer, chapter};
 use report::{AxisContent, Change, Content, DiagramPlace, Settings};
 use std::borrow::Cow;
 use std::path::Path;
@@ -176,13 +176,12 @@ fn content<'p>(
             figures()
         });
         let (reserve, assessment) = questions::list::check::margins(project, &candidate, Draw::default(), progress)?;
-        let gearing_proposals =
-            if sizing.fits() { Vec::new() } else { questions::list::size::gearing_proposals(project, progress)? };
+        let proposals = if sizing.fits() { Proposals::default() } else { Proposals::of(project, progress)? };
         let dossier = answer::dossier(
             project,
             &sizing,
             &candidate,
-            (&reserve, assessment.as_ref(), &gearing_proposals),
+            (&reserve, assessment.as_ref(), &proposals),
             (text, place, concat!("antrieb ", env!("CARGO_PKG_VERSION"))),
             language,
         );

@@ -12,8 +12,8 @@ use questions::list::explain::derivation;
 use questions::texts::{ValuesInRow, margin_share, margin_text, node_amount, trust, verdict_text};
 use questions::{Candidate, Check, Verdict, answer};
 use words::{
-    ERRATUM_MARK, capitalised, chapter_name, check_missing, check_title, erratum_place_of, evidence_text, figure_term,
-    marked, note_text, page, terminal, terms, title_of_check,
+    ERRATUM_MARK, capitalised, chapter_name, check_meaning, check_missing, check_title, erratum_place_of,
+    evidence_text, figure_term, marked, note_text, page, terminal, terms, title_of_check,
 };
 
 /// Returns the derivation of a check: both sides, as trees.
@@ -21,6 +21,7 @@ pub(crate) fn explained(candidate: &Candidate<'_>, check: &Check, language: Lang
     let found = derivation(check, language);
     let title = format!("{}: {}", candidate.id, title_of_check(check, language));
     let inside = html! {
+        p.small { (check_meaning(check.id, language)) }
         p class=(verdict_class(check.verdict)) { (capitalised(&verdict_text(check, language))) @if margin_share(check).is_some() { ", " (margin_text(check, language)) " %" } }
         @if let Some(missing) = check.missing { p.unchecked { (page::to_be_checked_state(language)) " " (check_missing(missing, language)) } }
         @for note in check.notes.iter() { p { (note_text(note, language)) } }

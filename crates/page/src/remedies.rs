@@ -7,17 +7,17 @@ use crate::state::{PageState, ReadProject};
 use crate::text_change::TextChange;
 use axis::AxisProject;
 use maud::{Markup, html};
-use project::{Written, edit_values, paced, written};
+use project::{SegmentLaw, Written, edit_values, paced, written};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, Unit, format_significant};
 use questions::list::check::{reserve_unasked, reserve_within};
 use questions::list::size::{
-    AxisChange, CatalogueReach, GearingProposal, Reach, SharedLoad, catalogue_reserve, gearing_proposals, shared_load,
-    sized,
+    AxisChange, CatalogueReach, GearingProposal, LawProposal, Proposals, Reach, SharedLoad, catalogue_reserve,
+    shared_load, sized,
 };
 use questions::texts::{reason, standing_text};
 use questions::{Progress, Rejected, read_all_watched};
-use words::{capitalised, page, proviso_text, terminal, terms, unpadded, views};
+use words::{capitalised, law_text, page, proviso_text, terminal, terms, unpadded, views};
 
 /// Number of cards above the fold.
 const FIRST: usize = 3;
@@ -80,7 +80,7 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
         Ok(None) => (of_nearest(project, call.field(THOROUGH).is_some(), progress), false),
         Err(_) => ((Vec::new(), None), false),
     };
-    let gearings = gearing_proposals(project, progress).unwrap_or_default();
+    let Proposals { gearings, law } = Proposals::of(project, progress).unwrap_or_default();
     let reads = |text: &str| {
         let axes = read_all_watched(text, shell.files(), shell.catalogue(), progress).ok()?;
         axes.into_iter().nth(state.axis)
@@ -93,6 +93,7 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
         Some((best.id.to_string(), standing_text(best, l)))
     };
     let mut found = by_reserve(project, &reached, (&state.text, &state.prefix), &reads, l);
+    found.extend(law.map(|proposal| by_law(proposal, l)));
     found.extend(gearings.iter().map(|proposal| by_gearing(proposal, &held, &state.prefix, l)));
     found.extend(
         shared_load(project, progress).ok().flatten().map(|shared| by_sharing(&shared, &held, &state.prefix, l)),
@@ -320,6 +321,23 @@ fn by_sharing(shared: &SharedLoad, held: &ReadProject, prefix: &str, language: L
         factor: f64::from(shared.actuators),
         verdict: None,
         change: Some(TextChange::Values(values)),
+    }
+}
+
+/// Returns the law in place of the open ones as a card.
+fn by_law(proposal: LawProposal, language: Language) -> Remedy {
+    let law = SegmentLaw::Law(proposal.law);
+    Remedy {
+        title: page::another_law(language).to_owned(),
+        before: law_text(SegmentLaw::Open, language).to_owned(),
+        after: law_text(law, language).to_owned(),
+        code: proposal.code,
+        proviso: proviso_text(proposal.proviso.estimate, proposal.proviso.rating, language),
+        extent: None,
+        // The machine remains the same: the smallest of all changes.
+        factor: 1.0,
+        verdict: None,
+        change: Some(TextChange::Values(proposal.paths.into_iter().map(|path| (path, law.id().to_owned())).collect())),
     }
 }
 

@@ -1,8 +1,10 @@
 //! Nearest valid names of an invalid one.
 
 use crate::Hint;
+use crate::bodies::BodySection;
 use crate::key::{Key, Kind};
 use crate::read::{WORD_SHOWN, shortened};
+use crate::section::Section;
 use quantities::Dimension;
 use toml::de::DeTable;
 
@@ -154,8 +156,41 @@ pub(crate) fn of_the_quantity(value: &str, keys: &'static [Key]) -> Option<Hint>
     (keys.len() <= MOST).then_some(Hint::KeysOfQuantity { dimension, keys })
 }
 
-/// Returns the table of an axis that has a key, if only one has it.
-pub(crate) fn in_another_table(written: &str) -> Option<Hint> {
+/// Mechanism that is a table of points, and the one that other programs call a table.
+const POINTS: &str = "table";
+const TURNTABLE: &str = "turntable";
+
+/// Returns the mechanism that has a key where the stated one does not: the only one with most of the keys of the table. The
+/// keys of a body in a table of points mean a turntable.
+fn in_another_mechanism(written: &str, (table, path): (&DeTable<'_>, &str)) -> Option<Hint> {
+    let (_, stated) = path.split_once("mechanism.")?;
+    let names: Vec<&str> = table.iter().map(|(name, _)| &**name.get_ref()).collect();
+    if stated == POINTS
+        && let Some(key) = BodySection::KEYS.iter().find(|key| key.name == written)
+    {
+        return Some(Hint::KeyOfTable { key: key.name, table: format!("[[mechanism.{TURNTABLE}.body]]") });
+    }
+    let mechanisms = crate::root::KEYS.iter().find(|key| key.name == "mechanism")?.kind.keys(false);
+    let others = mechanisms.iter().filter(|each| each.name != stated).filter_map(|each| {
+        let keys = each.kind.keys(false);
+        let key = keys.iter().find(|key| key.name == written)?.name;
+        Some((keys.iter().filter(|key| names.contains(&key.name)).count(), key, each.name))
+    });
+    let mut others: Vec<_> = others.collect();
+    others.sort_by_key(|(count, ..)| std::cmp::Reverse(*count));
+    match others.as_slice() {
+        [(most, key, name), rest @ ..] if rest.first().is_none_or(|(count, ..)| count < most) => {
+            Some(Hint::KeyOfTable { key, table: format!("[mechanism.{name}]") })
+        }
+        _ => None,
+    }
+}
+
+/// Returns the table of an axis that has a key, if only one has it; of a mechanism first another one.
+pub(crate) fn in_another_table(written: &str, within: (&DeTable<'_>, &str)) -> Option<Hint> {
+    if let Some(hint) = in_another_mechanism(written, within) {
+        return Some(hint);
+    }
     let named = |keys: &'static [Key]| keys.iter().find(|key| key.name == written).map(|key| key.name);
     let mut found = crate::root::KEYS.iter().filter_map(|table| {
         let is_list = matches!(table.kind, Kind::Variants(_));
@@ -217,6 +252,24 @@ mod tests {
 
     fn found(text: &str) -> Vec<Diagnostic> {
         read(text).unwrap().report.into_faults()
+    }
+
+    /// Requires that keys of a body in a table of points lead to a turntable, and those of another mechanism to it.
+    #[test]
+    fn a_key_of_another_mechanism_leads_to_it() {
+        let hints = |section: &str| {
+            let text = format!("format = 1\n{section}\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n");
+            found(&text).into_iter().filter_map(|fault| fault.hint).collect::<Vec<_>>()
+        };
+        let table = hints("[mechanism.table]\ndiameter = \"600 mm\"\nmass = \"60 kg\"");
+        for key in ["diameter", "mass"] {
+            let body = Hint::KeyOfTable { key, table: "[[mechanism.turntable.body]]".to_owned() };
+            assert!(table.contains(&body), "{table:?}");
+        }
+        let hoist =
+            hints("[mechanism.screw]\nlead = \"20 mm\"\nmass = \"60 kg\"\ncounterweight = \"50 kg\"\nfalls = 2");
+        let is_hoist = |hint: &Hint| matches!(hint, Hint::KeyOfTable { table, .. } if table == "[mechanism.hoist]");
+        assert!(hoist.iter().any(is_hoist), "{hoist:?}");
     }
 
     /// Requires that other names of a key, and the word of a law in the place of `law`, lead to the intended key.

@@ -177,7 +177,7 @@ impl<'t> Reader<'t> {
         let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
         let hint = self.nearest(&name.span(), name.get_ref(), &names).map(|near| match near {
             Hint::ValidAre(_) => {
-                let elsewhere = || in_another_table(name.get_ref());
+                let elsewhere = || in_another_table(name.get_ref(), (table, path));
                 // A load of a segment has its own table in every project; other tables may have nothing to do with this one.
                 let found = meant(name.get_ref(), keys).or_else(|| elsewhere().filter(Hint::is_of_a_segment));
                 let found = found.or_else(|| of_the_quantity(value.as_str()?, keys));

@@ -2,10 +2,11 @@
 
 use crate::about::About;
 use crate::axis_names::named_apart;
+use crate::choices::Law;
 use crate::curves::CurveSection;
 use crate::flange::Bearing;
 use crate::mechanism::{DirectLoad, Mechanisms};
-use crate::motion::Segment;
+use crate::motion::{Segment, SegmentLaw};
 use crate::own::{ActuatorSection, CatalogueSection};
 use crate::read::{Reader, joined};
 use crate::report::FaultReport;
@@ -204,6 +205,18 @@ impl AxisSection {
                 segment.smoothing.give(window, span);
             }
         }
+    }
+
+    /// Decides every law that is open, and returns the paths of their keys.
+    pub fn decide_laws(&mut self, law: Law) -> Vec<String> {
+        let segments = self.parts.motion.get_mut().into_iter().flat_map(|segments| &mut segments.0);
+        let open = segments.filter(|segment| segment.law.value() == Some(SegmentLaw::Open));
+        open.map(|segment| {
+            let span = segment.law.span();
+            segment.law.give(SegmentLaw::Law(law), span);
+            segment.law.path()
+        })
+        .collect()
     }
 
     /// Replaces several ratios by one.

@@ -3,7 +3,7 @@
 use answers::{Glossary, GlossaryCheck, GlossarySymbol, GlossaryTerm, GlossaryWord};
 use quantities::Language;
 use sizing::CheckId;
-use words::{check_titles, glossary_symbols, symbol_shown, term_remark, word_meaning};
+use words::{check_meaning, check_titles, glossary_symbols, symbol_shown, term_remark, word_meaning};
 
 /// Returns the glossary, or its entries for a symbol, an identifier or a word.
 ///
@@ -68,7 +68,8 @@ fn has_words(name: &str, wanted: &str) -> bool {
 fn checks_titled(spelled: &str) -> Vec<GlossaryCheck> {
     let check = |id: &CheckId| {
         let [en, de] = check_titles(*id);
-        GlossaryCheck { id: id.id().to_owned(), en, de }
+        let [meaning_en, meaning_de] = Language::ALL.map(|language| check_meaning(*id, language));
+        GlossaryCheck { id: id.id().to_owned(), en, de, meaning_en, meaning_de }
     };
     let is_named = |check: &GlossaryCheck| [&check.id, &check.en, &check.de].iter().any(|name| folded(name) == spelled);
     CheckId::ALL.iter().map(check).filter(is_named).collect()

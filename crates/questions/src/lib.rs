@@ -80,7 +80,7 @@ pub use tolerance::{Assessment, Draw, SAMPLES_MOST, SAMPLES_USUAL, Sampling, ass
 // Data of pictures.
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use flange::flange_course;
-pub use gearing_proposals::{GEARING_INSTANTS_MOST, GearingProposal};
+pub use gearing_proposals::{GEARING_INSTANTS_MOST, GearingProposal, Proposals};
 pub use incoming::{
     ColumnOutliers, ExaminedRecording, FilesWithIncoming, IncomingFile, SmoothingEffect, smoothing_effects, window_text,
 };

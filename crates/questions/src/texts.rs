@@ -10,13 +10,14 @@ pub use tolerances::{
     tolerance_rows, worst_text,
 };
 
-use crate::gearing_proposals::GearingProposal;
+use crate::gearing_proposals::{GearingProposal, LawProposal};
 use crate::limits::{NeededLimit, limits_needed};
 use crate::sizing_use::{Candidate, Objection, Reason, Sizing};
 use crate::torsion::TorsionAnswer;
 use actuator::BatteryLife;
 use axis::RecordingRead;
 use configurator::{BrokenRule, ProductId, Unmet};
+use project::SegmentLaw;
 use quantities::unit::{
     ARCMINUTE, DEGREE_CELSIUS, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, SECOND, YEAR,
 };
@@ -466,6 +467,31 @@ pub fn mend_text(mend: &GearingProposal, language: Language) -> String {
     match proviso_text(mend.proviso.estimate, mend.proviso.rating, language) {
         Some(proviso) => format!("{what}: {}, {proviso}", mend.code),
         None => format!("{what}: {}", mend.code),
+    }
+}
+
+/// Number of keys up to which a proposal writes them into the call.
+const KEYS_IN_A_CALL: usize = 4;
+
+/// Describes a law in place of the open ones with which an actuator fits, with the options of a call or the value in the
+/// file.
+#[must_use]
+pub fn law_text(proposal: &LawProposal, language: Language) -> String {
+    let law = SegmentLaw::Law(proposal.law);
+    let is_short =
+        proposal.paths.len() <= KEYS_IN_A_CALL && proposal.paths.iter().all(|path| path.starts_with("motion["));
+    let call = || {
+        let options = proposal.paths.iter().map(|path| {
+            let key = path.replace('[', ".").replace(']', "");
+            format!("--set {key}={}", law.id())
+        });
+        options.collect::<Vec<_>>().join(" ")
+    };
+    let how = if is_short { call() } else { format!("law = \"{}\"", law.id()) };
+    let what = format!("{} ({how})", words::law_text(law, language));
+    match proviso_text(proposal.proviso.estimate, proposal.proviso.rating, language) {
+        Some(proviso) => format!("{what}: {}, {proviso}", proposal.code),
+        None => format!("{what}: {}", proposal.code),
     }
 }
 

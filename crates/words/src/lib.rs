@@ -10,6 +10,7 @@ mod assumptions;
 mod axis_faults;
 mod bodies;
 pub mod catalogue_template;
+mod check_meanings;
 mod codes;
 pub mod commission;
 mod commissioned;
@@ -76,6 +77,7 @@ pub use angular_errors::error_kind_text;
 pub use assumptions::assumption_text;
 pub use axis_faults::battery_fault;
 pub use bodies::shape_title;
+pub use check_meanings::check_meaning;
 pub use codes::{describe_code_error, describe_field, describe_rule, describe_token, describe_uncovered};
 pub use commissioned::{
     band_text, cause_text, choice_text, conversion_text, gap_text, measurand_name, object_name, parameter_name,

@@ -235,7 +235,8 @@ texts! {
     about_the_theory =
         "The models of antrieb with their equations, sources and limits."
         | "Die Modelle von antrieb mit Gleichungen, Quellen und Gültigkeitsgrenzen.";
-    worst_instant(time) = "at {time} s" | "bei {time} s";
+    worst_instant(time) = "at {time}\u{a0}s" | "bei {time}\u{a0}s";
+    another_law = "Another law of motion" | "Anderes Bewegungsgesetz";
     what_would_fit = "What would fit" | "Was geeignet wäre";
     searching_remedies = "Searching for changes with which an actuator fits …" | "Änderungen werden gesucht, mit denen ein Antrieb geeignet ist …";
     no_remedy_found =
@@ -298,7 +299,7 @@ texts! {
     whole_cycle = "Whole cycle" | "Ganzer Zyklus";
     worst_instants = "Critical instants of the checks" | "Ungünstigste Zeitpunkte der Nachweise";
     end_of_segment(number, law) = "end of segment {number}, {law}" | "Ende von Abschnitt {number}, {law}";
-    ends_at(time, way, unit) = "at {time} s, {way} {unit}" | "bei {time} s, {way} {unit}";
+    ends_at(time, way, unit) = "at {time}\u{a0}s, {way}\u{a0}{unit}" | "bei {time}\u{a0}s, {way}\u{a0}{unit}";
     grips_about =
         "Left and right arrow keys change the duration of the segment, up and down its travel; with Shift in larger steps."
         | "Pfeiltasten links und rechts ändern die Dauer des Abschnitts, auf und ab den Weg; mit Umschalttaste in größeren Schritten.";
@@ -402,7 +403,7 @@ texts! {
     first_version = "Initial version" | "Anfangsstand";
     back_to_version = "Back to this version" | "Zurück zu diesem Stand";
     only_layout = "Only comments or formatting" | "Nur Kommentare oder Formatierung";
-    cycle_of(time) = "cycle {time} s" | "Zyklus {time} s";
+    cycle_of(time) = "cycle {time}\u{a0}s" | "Zyklus {time}\u{a0}s";
     name_is_taken(name) =
         "A file named {name} already exists and was not overwritten."
         | "Eine Datei namens {name} existiert bereits und wurde nicht überschrieben.";

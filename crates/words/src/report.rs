@@ -205,6 +205,7 @@ texts! {
     r_payload_factor = "Payloads, factor" | "Nutzlasten, Faktor";
     r_cycle_time = "Cycle time of the whole motion" | "Zykluszeit der ganzen Bewegung";
     r_limits = "Limits of the project, all changed together" | "Grenzen des Projekts, gemeinsam geändert";
+    r_law = "Another law of motion in place of the assumed one, with the actuator that then fits" | "Anderes Bewegungsgesetz anstelle des angenommenen, mit dem dann geeigneten Antrieb";
     r_gearing = "Another value, with the actuator that then fits" | "Anderer Wert, mit dem dann geeigneten Antrieb";
     with = "with" | "mit";
     missing = "Missing" | "Fehlende Angabe";

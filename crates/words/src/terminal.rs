@@ -24,9 +24,9 @@ texts! {
     no_record_of_several =
         "the data of several actuators have no JSON; one record for each: antrieb data CODE --json"
         | "die Daten mehrerer Antriebe gibt es nicht als JSON; ein Datensatz für jeden: antrieb data CODE --json";
-    help_on_check(title, id) =
-        "{title}: the check `{id}`. Requirement, limit and utilisation of an actuator are in the answer of `antrieb check`, formula, inputs and sources in that of `antrieb explain`:"
-        | "{title}: der Nachweis „{id}“. Anforderung, Grenzwert und Auslastung eines Antriebs nennt `antrieb check`, Formel, Eingangsgrößen und Quellen nennt `antrieb explain`:";
+    help_on_check(title, id, meaning) =
+        "{title}: the check `{id}`. {meaning} Requirement, limit and utilisation of an actuator are in the answer of `antrieb check`, formula, inputs and sources in that of `antrieb explain`:"
+        | "{title}: der Nachweis „{id}“. {meaning} Anforderung, Grenzwert und Auslastung eines Antriebs nennt `antrieb check`, Formel, Eingangsgrößen und Quellen nennt `antrieb explain`:";
     table = "table" | "Tabelle";
     note = "note" | "Hinweis";
     errata_of_this_table = "errata of this table" | "Druckfehler dieser Tabelle";
@@ -142,6 +142,9 @@ texts! {
         | "--code gilt für eine Achse, das Projekt hat jedoch mehrere; eine mit --axis wählen: {names}";
     fits_up_to = "fits up to (single changes)" | "geeignet bis (Einzeländerungen)";
     checks_pass_up_to = "all checks pass up to (single changes)" | "alle Nachweise erfüllt bis (Einzeländerungen)";
+    would_fit_with_another_law =
+        "another law of motion in place of the assumed one, with the actuator that then fits"
+        | "anderes Bewegungsgesetz anstelle des angenommenen, mit dem dann geeigneten Antrieb";
     would_fit_with_other_gearing =
         "another value, with the actuator that then fits" | "anderer Wert, mit dem dann geeigneten Antrieb";
     a_stage_by_its_keys(ratio, number) =

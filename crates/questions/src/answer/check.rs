@@ -7,7 +7,7 @@ use axis::{AssumedKeys, AxisProject};
 use quantities::unit::{NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure};
 use sizing::{Amount, Check, Demand, ManualDemand, Note};
-use words::{assumption_text, note_text, source_text, title_of_check};
+use words::{assumption_text, check_meaning, note_text, source_text, title_of_check};
 
 /// Returns one check.
 #[must_use]
@@ -48,7 +48,11 @@ pub fn check(check: &Check, language: Language) -> answers::Check {
 /// Returns a check with the derivation of its value and its limit.
 #[must_use]
 pub fn explained(found: &Check, language: Language) -> answers::Explained {
-    answers::Explained { check: check(found, language), derivation: derivation(found, language) }
+    answers::Explained {
+        check: check(found, language),
+        meaning: check_meaning(found.id, language),
+        derivation: derivation(found, language),
+    }
 }
 
 /// Returns checks of an actuator with their derivations.

@@ -6,7 +6,7 @@ use super::inputs::{inputs_of_axis, mechanism, tables};
 use super::judged::{judgement, sizing};
 use super::operation::{data_sheet, operation};
 use crate::fingerprint::{catalogue_fingerprint, project_fingerprint};
-use crate::gearing_proposals::GearingProposal;
+use crate::gearing_proposals::Proposals;
 use crate::sizing_use::{Candidate, Sizing, by_importance};
 use crate::texts::{self, Rejections};
 use crate::tolerance::Assessment;
@@ -34,7 +34,7 @@ pub fn dossier(
     project: &AxisProject,
     ranked: &Sizing<'_>,
     chosen: &Candidate<'_>,
-    (found, assessment, gearing_proposals): (&Reserve, Option<&Assessment>, &[GearingProposal]),
+    (found, assessment, proposals): (&Reserve, Option<&Assessment>, &Proposals),
     (text, place, program): (&str, usize, &str),
     language: Language,
 ) -> Dossier {
@@ -55,7 +55,7 @@ pub fn dossier(
         judgement,
         counts: CheckCounts { passed, advised, failed, not_checked, without_limit, deciding, requirements_open },
         single_move: inputs.iter().any(is_single),
-        sizing: sizing(ranked, project, &[], gearing_proposals, usize::MAX, language),
+        sizing: sizing(ranked, project, &[], proposals, usize::MAX, language),
         rejections: rejections(ranked, language),
         mechanism: mechanism(project, &inputs, language),
         inputs: tables(&inputs, language),

@@ -3,21 +3,22 @@
 use super::check::{assumptions, assumptions_about, check, demand};
 use super::code::names;
 use super::motion;
-use crate::gearing_proposals::GearingProposal;
+use crate::gearing_proposals::{GearingProposal, LawProposal, Proposals};
 use crate::limits::{NeededLimit, limits_needed};
 use crate::sizing_use::{Candidate, Sizing};
 use crate::texts::{ambient_least, conditional_text, objection_text, reserve_condition, unsought_text};
 use crate::tolerance::{Assessment, PointKind};
 use answers::{
     Assessed, Fit, Id, Influence, Judgement, Make, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
-    Tolerance, ToleratedValue, Units, WorstCorner, WouldFit,
+    Tolerance, ToleratedValue, Units, WorstCorner, WouldFit, WouldFitWithLaw,
 };
 use axis::{ALL_CORNERS_MOST, AxisProject};
 use configurator::ProductId;
+use project::SegmentLaw;
 use quantities::unit::{DAY, DEGREE_CELSIUS, KILOGRAM, MILLIMETRE, SECOND};
 use quantities::{Language, Measure};
 use sizing::{Proviso, Reserve, SAMPLES_ANEW, Verdict};
-use words::{ranking_rule, unmet_text};
+use words::{law_text, ranking_rule, unmet_text};
 
 /// Returns the objections to a candidate besides failing checks, as text.
 #[must_use]
@@ -116,7 +117,7 @@ pub fn sizing(
     sizing: &Sizing<'_>,
     project: &AxisProject,
     assessed: &[(ProductId, Assessment)],
-    gearing_proposals: &[GearingProposal],
+    proposals: &Proposals,
     top: usize,
     language: Language,
 ) -> answers::Sizing {
@@ -140,7 +141,8 @@ pub fn sizing(
         rejected: sizing.rejected().iter().map(|each| rejection(each, language)).collect(),
         nearest_miss: sizing.nearest_miss().map(|miss| miss.id.to_string()),
         own: sizing.own.as_ref().map(judged),
-        would_fit_with: gearing_proposals.iter().map(would_fit).collect(),
+        would_fit_with: proposals.gearings.iter().map(would_fit).collect(),
+        would_fit_with_law: proposals.law.as_ref().map(|law| would_fit_with_law(law, language)),
         assumptions: assumptions(project, language),
         stage: stage(project),
         motion: motion(&crate::moves(project), None, language),
@@ -157,6 +159,19 @@ fn would_fit(mend: &GearingProposal) -> WouldFit {
         verdict: mend.fit.into(),
         if_estimate: mend.proviso.estimate,
         unless_rating: mend.proviso.rating,
+    }
+}
+
+fn would_fit_with_law(proposal: &LawProposal, language: Language) -> WouldFitWithLaw {
+    let law = SegmentLaw::Law(proposal.law);
+    WouldFitWithLaw {
+        law: law.id(),
+        title: law_text(law, language),
+        keys: proposal.paths.clone(),
+        code: proposal.code.clone(),
+        verdict: proposal.fit.into(),
+        if_estimate: proposal.proviso.estimate,
+        unless_rating: proposal.proviso.rating,
     }
 }
 

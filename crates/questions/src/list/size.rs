@@ -7,7 +7,9 @@ use super::{
 };
 use crate::answer;
 pub use crate::catalogue_reserve::{CatalogueReach, catalogue_reserve};
-pub use crate::gearing_proposals::{GearingProposal, SharedLoad, gearing_proposals, shared_load};
+pub use crate::gearing_proposals::{
+    GearingProposal, LawProposal, Proposals, SharedLoad, gearing_proposals, law_proposal, shared_load,
+};
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, Rejected, Sizing, size_watched};
 use crate::tolerance::{Assessment, Draw, SAMPLES_MOST, SEED_USUAL, assess_watched};
@@ -128,8 +130,8 @@ pub struct Ranking<'p> {
     pub sizing: Sizing<'p>,
     /// Number of candidates reported in full.
     pub top: usize,
-    /// Values of the gearing with which an actuator fits, if none does.
-    pub gearing_proposals: Vec<GearingProposal>,
+    /// Changes with which an actuator fits, if none does.
+    pub proposals: Proposals,
     /// Tolerances judged for the first of these candidates and for the project's own actuator; empty without
     /// tolerances.
     pub assessed: Vec<(ProductId, Assessment)>,
@@ -152,8 +154,8 @@ pub fn ranking<'p>(
     // Without tolerances there is no assessment and no pair.
     let found = assess_watched(project, &chosen, sampling, progress)?;
     let assessed = chosen.iter().map(|candidate| candidate.id.clone()).zip(found).collect();
-    let gearing_proposals = if sizing.fits() { Vec::new() } else { gearing_proposals(project, progress)? };
-    Ok(Ranking { project, sizing, top, gearing_proposals, assessed })
+    let proposals = if sizing.fits() { Proposals::default() } else { Proposals::of(project, progress)? };
+    Ok(Ranking { project, sizing, top, proposals, assessed })
 }
 
 /// Judges and ranks the catalogue for an axis, without its tolerances; it can be cancelled. The first `complete` are
@@ -181,6 +183,6 @@ impl Ranking<'_> {
     /// Returns the record of the ranking.
     #[must_use]
     pub fn record(&self, language: Language) -> answers::Sizing {
-        answer::sizing(&self.sizing, self.project, &self.assessed, &self.gearing_proposals, self.top, language)
+        answer::sizing(&self.sizing, self.project, &self.assessed, &self.proposals, self.top, language)
     }
 }

@@ -85,7 +85,14 @@ fn reports() {
     let reserve = questions::reserve_of(project, &chosen);
     for language in Language::ALL {
         let text = (PROJECT, 0, "antrieb of the tests");
-        let dossier = answer::dossier(project, &ranked, &chosen, (&reserve, None, &[]), text, language);
+        let dossier = answer::dossier(
+            project,
+            &ranked,
+            &chosen,
+            (&reserve, None, &questions::Proposals::default()),
+            text,
+            language,
+        );
         assert!(dossier.documents.iter().any(|document| document.id == "inv-manual"));
         let text = serde_json::to_string(&dossier).unwrap();
         let meaning = if language == Language::De { "erfundener Geber" } else { "invented encoder" };

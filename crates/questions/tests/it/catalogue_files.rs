@@ -221,8 +221,14 @@ fn what_could_not_be_checked_is_no_reserve() {
         let reserve = questions::reserve_of(&project, fast);
         let lines = questions::texts::reserve_lines(&reserve, fast, language);
         assert!(lines.iter().any(|(head, _)| *head == words::terms::not_checked(language)), "{lines:?}");
-        let dossier =
-            questions::answer::dossier(&project, &sizing, fast, (&reserve, None, &[]), (HEAD, 0, "antrieb"), language);
+        let dossier = questions::answer::dossier(
+            &project,
+            &sizing,
+            fast,
+            (&reserve, None, &questions::Proposals::default()),
+            (HEAD, 0, "antrieb"),
+            language,
+        );
         assert!(dossier.judgement.reserve.not_checked.is_some_and(|found| found.checks.len() > 3));
         assert!(dossier.judgement.assumptions.iter().all(|each| each.why != plate));
         let cited: Vec<&str> = dossier.documents.iter().map(|each| each.title.as_str()).collect();

@@ -125,7 +125,14 @@ fn a_product_with_a_name_stands_beside_the_codes() {
         let pair = [name.id.clone(), sizing.candidates[0].id.clone()];
         assert_eq!(compare::compare(&project, &pair, &progress).unwrap().candidates.len(), 2);
         let written = (text, 0, "antrieb of the tests");
-        let dossier = answer::dossier(&project, sizing, name, (&found.reserve, None, &[]), written, Language::De);
+        let dossier = answer::dossier(
+            &project,
+            sizing,
+            name,
+            (&found.reserve, None, &questions::Proposals::default()),
+            written,
+            Language::De,
+        );
         assert!(serde_json::to_string(&dossier).unwrap().contains(&name.id.to_string()));
     }
 }

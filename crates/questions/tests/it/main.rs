@@ -39,6 +39,7 @@ mod neighbours;
 mod no_limit;
 mod not_stated;
 mod notes_of_the_code;
+mod open_law;
 mod own_actuator;
 mod payload_in_dwell;
 mod physics;

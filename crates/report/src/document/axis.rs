@@ -101,6 +101,7 @@ enum Reserve {
     Ambient,
     Limits,
     Gearing,
+    Law,
 }
 
 /// Effect of the tolerances of the project.
@@ -259,6 +260,12 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Format
         value: format!("{} ({})", shown.figure(found.value, found.unit), found.code),
         proviso: proviso(found.if_estimate, found.unless_rating),
     });
+    let law = content.dossier.sizing.would_fit_with_law.iter().map(|found| Reserved {
+        what: Reserve::Law,
+        key: String::new(),
+        value: format!("{} ({})", found.title, found.code),
+        proviso: proviso(found.if_estimate, found.unless_rating),
+    });
     let cycle: f64 = judgement.motion.segments.iter().map(|segment| segment.duration.0).sum();
     Cover {
         code: candidate.called().to_owned(),
@@ -294,7 +301,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Format
         cycle: shown.figure(Number(cycle), "s"),
         on_request: candidate.on_request.clone(),
         objections: candidate.objections.iter().map(|text| tied(text)).collect(),
-        reserve: reserve.chain(limits).chain(gearing).collect(),
+        reserve: reserve.chain(limits).chain(gearing).chain(law).collect(),
         reserve_is_partial: judgement.reserve.not_checked.is_some(),
         not_sought: judgement.reserve.not_sought.as_ref().map(|found| tied(&found.text)).unwrap_or_default(),
     }

@@ -82,15 +82,14 @@ pub fn made_in(text: &str, code: Option<&str>, languages: &[Language], pictures:
         let reserve = questions::reserve_of(project, &chosen);
         let assessed = questions::assess(project, &[&chosen], Sampling::default());
         let progress = questions::Progress::endless();
-        let gearing_proposals = if ranked.fits() {
-            Vec::new()
+        let proposals = if ranked.fits() {
+            questions::Proposals::default()
         } else {
-            questions::list::size::gearing_proposals(project, &progress).unwrap()
+            questions::Proposals::of(project, &progress).unwrap()
         };
         for content in &mut contents {
             let language = content.language;
-            let (text, program) =
-                ((text, place, "antrieb 0.1.0"), (&reserve, assessed.first(), &gearing_proposals[..]));
+            let (text, program) = ((text, place, "antrieb 0.1.0"), (&reserve, assessed.first(), &proposals));
             let dossier = questions::answer::dossier(project, &ranked, &chosen, program, text, language);
             let figures = if pictures { figures_of(project, &ranked, &chosen, language) } else { Vec::new() };
             let actuator_kind = questions::answer::actuator_kind(&chosen, language).to_owned();
