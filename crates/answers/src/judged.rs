@@ -192,6 +192,10 @@ pub struct Sizing {
     pub nearest_miss: Option<String>,
     /// Project's own actuator.
     pub own: Option<Assessed>,
+    /// Smallest changes of load and cycle time with which an actuator would fit, one change at a time; only if nothing
+    /// fits and the cycle is not too long for the search.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub would_fit_after: Vec<WouldFitAfter>,
     /// Values of the gearing with which an actuator would fit, one change at a time; only if nothing fits.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub would_fit_with: Vec<WouldFit>,
@@ -217,6 +221,25 @@ pub struct WouldFit {
     /// Value of three digits nearest to the stated one with which an actuator fits.
     pub value: Number,
     /// Unit of the value; `1` for a ratio.
+    pub unit: &'static str,
+    /// Best ordering code with this value.
+    pub code: String,
+    /// Verdict on this code.
+    pub verdict: Fit,
+    /// `true` if the code fits only if an estimate holds.
+    pub if_estimate: bool,
+    /// `true` if the code fits unless a gear rating of another manufacturer applies.
+    pub unless_rating: bool,
+}
+
+/// A change of load or cycle time after which an actuator would fit.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct WouldFitAfter {
+    /// Changed quantity: `cycle_time`, `payload_factor` or `load_factor`, as in `reserve`.
+    pub change: &'static str,
+    /// Duration of the cycle, or factor.
+    pub value: Number,
+    /// Unit of the value; `1` for a factor.
     pub unit: &'static str,
     /// Best ordering code with this value.
     pub code: String,

@@ -69,7 +69,8 @@ pub use glossary::{Glossary, GlossaryCheck, GlossarySymbol, GlossaryTerm, Glossa
 pub use id::{Availability, Fit, Id, Identified};
 pub use judged::{
     Assessed, Candidate, Influence, Judgement, Make, NeededLimit, NotSought, Quantiles, Ranked, Rejection, Reserve,
-    ReserveNotChecked, Sizing, Stage, StageRatio, Tolerance, ToleratedValue, WorstCorner, WouldFit, WouldFitWithLaw,
+    ReserveNotChecked, Sizing, Stage, StageRatio, Tolerance, ToleratedValue, WorstCorner, WouldFit, WouldFitAfter,
+    WouldFitWithLaw,
 };
 pub use laid_out::{Block, Chapter, Column, Grid, Hazard, Picture, Task};
 pub use licences::{LicenceText, Licences};

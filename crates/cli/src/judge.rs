@@ -14,8 +14,8 @@ use questions::list::size::Ranking;
 use questions::list::{Inquiry, Unanswered, check, size};
 use questions::texts::{
     by_importance, compared_texts, counts_text, demand_figures, fitting_text, instant_text, law_text, margin_text,
-    mend_text, objection_text, percent, provisos, reason, rejections, shown, standing_text, unit_text, verdict_of,
-    verdict_text,
+    mend_text, objection_text, percent, provisos, reach_text, reason, rejections, reserve_condition, shown,
+    standing_text, unit_text, verdict_of, verdict_text,
 };
 use questions::{Candidate, Check, Demand, Objection, Reserve, Sizing, Verdict};
 use std::collections::BTreeSet;
@@ -130,6 +130,15 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
         None => writeln!(out, "{name}: {}", paint(terminal::no_actuator_fits(language), Verdict::Fail)),
     };
     let _ = writeln!(out, "{}", fitting_text(sizing, language));
+    if let Some(reached) = found.reached.as_ref().filter(|reached| !reached.is_empty()) {
+        let all: Vec<String> = reached.iter().map(|reach| reach_text(reach, language)).collect();
+        out.push_str(&labelled(terminal::smallest_change(language), &all.join("; ")));
+        let nearest = of_nearest.zip(sizing.nearest_miss());
+        let condition = nearest.and_then(|(reserve, near)| reserve_condition(reserve, near, language));
+        if let Some(condition) = condition {
+            out.push_str(&labelled(terms::not_checked(language), &condition));
+        }
+    }
     if let Some(law) = &found.proposals.law {
         out.push_str(&labelled(terminal::would_fit_with_another_law(language), &law_text(law, language)));
     }
@@ -181,7 +190,12 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
         }
         out.push_str(&noted);
     }
-    out.push_str(&rejected_text(sizing, of_nearest, all, language));
+    // Changes with which any actuator fits stand above: those of the nearest one alone are larger.
+    let of_nearest = of_nearest.map(|reserve| match &found.reached {
+        Some(_) => reserve.without_changes(),
+        None => reserve.clone(),
+    });
+    out.push_str(&rejected_text(sizing, of_nearest.as_ref(), all, language));
     if let Some(own) = &sizing.own {
         let _ = writeln!(out, "\n{}:", terminal::own_actuator_of_the_project(language));
         out.push_str(&candidate_text(own, language));

@@ -37,6 +37,7 @@ pub use errata::{errata, erratum};
 pub use facts::facts;
 pub use fault::{code_worded, fault, faults, file_fault, not_in_glossary, option_fault, refusal_text, table_faults};
 pub use inputs::input_words;
+pub(crate) use judged::would_fit_after;
 pub use judged::{candidate, fit, judgement, objections, reserve, sizing, tolerance};
 pub use motion::{motion, setpoints};
 pub use mount::mount;

@@ -10,6 +10,7 @@ pub use tolerances::{
     tolerance_rows, worst_text,
 };
 
+use crate::catalogue_reserve::CatalogueReach;
 use crate::gearing_proposals::{GearingProposal, LawProposal};
 use crate::limits::{NeededLimit, limits_needed};
 use crate::sizing_use::{Candidate, Objection, Reason, Sizing};
@@ -25,7 +26,7 @@ use quantities::{
     Language, Measure, ThermodynamicTemperature, Time, Unit, format_number, format_significant, with_symbol,
 };
 use recording::{ColumnRead, KnownBy};
-use sizing::{Amount, Check, CheckId, Demand, Fit, Proviso, Reserve, SAMPLES_ANEW, Unsought, Verdict};
+use sizing::{Amount, AxisChange, Check, CheckId, Demand, Fit, Proviso, Reserve, SAMPLES_ANEW, Unsought, Verdict};
 use words::{
     Provisos, check_title, conditions_text, describe_rule, encoding_guess, grade_word, marked, percent_text,
     proviso_text, records, source_text, symbol_term, terminal, title_of_check, unmet_text, unpadded,
@@ -467,6 +468,21 @@ pub fn mend_text(mend: &GearingProposal, language: Language) -> String {
     match proviso_text(mend.proviso.estimate, mend.proviso.rating, language) {
         Some(proviso) => format!("{what}: {}, {proviso}", mend.code),
         None => format!("{what}: {}", mend.code),
+    }
+}
+
+/// Describes a change of load or cycle time with which an actuator fits, with its code.
+#[must_use]
+pub fn reach_text(reach: &CatalogueReach, language: Language) -> String {
+    let value = format_significant(reach.value, 4, language);
+    let what = match reach.change {
+        AxisChange::Payload => terminal::payload_factor(&value, language),
+        AxisChange::Load => terminal::load_factor(&value, language),
+        AxisChange::CycleTime => terminal::cycle_time(&value, language),
+    };
+    match proviso_text(reach.proviso.estimate, reach.proviso.rating, language) {
+        Some(proviso) => format!("{what}: {}, {proviso}", reach.code),
+        None => format!("{what}: {}", reach.code),
     }
 }
 

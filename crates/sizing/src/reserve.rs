@@ -37,6 +37,14 @@ pub struct Reserve {
     pub unsought: Option<Unsought>,
 }
 
+impl Reserve {
+    /// Returns the reserve without the changes of load, payload and cycle time.
+    #[must_use]
+    pub fn without_changes(&self) -> Self {
+        Self { load_factor: None, payload_factor: None, cycle_time: None, ..self.clone() }
+    }
+}
+
 /// Changes of the load, and possibly of the pace, that were not searched: each step would compute the load of a long
 /// recording again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -403,7 +403,7 @@ texts! {
     first_version = "Initial version" | "Anfangsstand";
     back_to_version = "Back to this version" | "Zurück zu diesem Stand";
     only_layout = "Only comments or formatting" | "Nur Kommentare oder Formatierung";
-    cycle_of(time) = "cycle {time}\u{a0}s" | "Zyklus {time}\u{a0}s";
+    cycle_of(time) = "cycle\u{a0}{time}\u{a0}s" | "Zyklus\u{a0}{time}\u{a0}s";
     name_is_taken(name) =
         "A file named {name} already exists and was not overwritten."
         | "Eine Datei namens {name} existiert bereits und wurde nicht überschrieben.";

@@ -82,7 +82,14 @@ pub(super) fn dossier(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>
     let reserve = reserve_of(case.project, best);
     let assessment = assess(case.project, &[best], Sampling { samples: 5, seed: 1 }).pop();
     let about = (case.text, case.place, "antrieb");
-    let found = answer::dossier(case.project, sizing, best, (&reserve, assessment.as_ref(), &[]), about, case.language);
+    let found = answer::dossier(
+        case.project,
+        sizing,
+        best,
+        (&reserve, assessment.as_ref(), &questions::Proposals::default()),
+        about,
+        case.language,
+    );
     assert_eq!(found.sizing.judged, sizing.candidates.len());
     assert!(!found.explained.is_empty());
     assert_eq!(found.bill_of_material.is_empty(), !best.fits(), "parts are listed of an actuator that fits");

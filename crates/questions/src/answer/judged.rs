@@ -3,6 +3,7 @@
 use super::check::{assumptions, assumptions_about, check, demand};
 use super::code::names;
 use super::motion;
+use crate::catalogue_reserve::CatalogueReach;
 use crate::gearing_proposals::{GearingProposal, LawProposal, Proposals};
 use crate::limits::{NeededLimit, limits_needed};
 use crate::sizing_use::{Candidate, Sizing};
@@ -10,14 +11,14 @@ use crate::texts::{ambient_least, conditional_text, objection_text, reserve_cond
 use crate::tolerance::{Assessment, PointKind};
 use answers::{
     Assessed, Fit, Id, Influence, Judgement, Make, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
-    Tolerance, ToleratedValue, Units, WorstCorner, WouldFit, WouldFitWithLaw,
+    Tolerance, ToleratedValue, Units, WorstCorner, WouldFit, WouldFitAfter, WouldFitWithLaw,
 };
 use axis::{ALL_CORNERS_MOST, AxisProject};
 use configurator::ProductId;
 use project::SegmentLaw;
-use quantities::unit::{DAY, DEGREE_CELSIUS, KILOGRAM, MILLIMETRE, SECOND};
+use quantities::unit::{DAY, DEGREE_CELSIUS, KILOGRAM, MILLIMETRE, ONE, SECOND};
 use quantities::{Language, Measure};
-use sizing::{Proviso, Reserve, SAMPLES_ANEW, Verdict};
+use sizing::{AxisChange, Proviso, Reserve, SAMPLES_ANEW, Verdict};
 use words::{law_text, ranking_rule, unmet_text};
 
 /// Returns the objections to a candidate besides failing checks, as text.
@@ -141,6 +142,7 @@ pub fn sizing(
         rejected: sizing.rejected().iter().map(|each| rejection(each, language)).collect(),
         nearest_miss: sizing.nearest_miss().map(|miss| miss.id.to_string()),
         own: sizing.own.as_ref().map(judged),
+        would_fit_after: Vec::new(),
         would_fit_with: proposals.gearings.iter().map(would_fit).collect(),
         would_fit_with_law: proposals.law.as_ref().map(|law| would_fit_with_law(law, language)),
         assumptions: assumptions(project, language),
@@ -159,6 +161,24 @@ fn would_fit(mend: &GearingProposal) -> WouldFit {
         verdict: mend.fit.into(),
         if_estimate: mend.proviso.estimate,
         unless_rating: mend.proviso.rating,
+    }
+}
+
+/// Returns a change of load or cycle time with which an actuator of the catalogue fits.
+pub(crate) fn would_fit_after(reach: &CatalogueReach) -> WouldFitAfter {
+    let (change, unit) = match reach.change {
+        AxisChange::CycleTime => ("cycle_time", SECOND.json),
+        AxisChange::Payload => ("payload_factor", ONE.json),
+        AxisChange::Load => ("load_factor", ONE.json),
+    };
+    WouldFitAfter {
+        change,
+        value: Number(reach.value),
+        unit,
+        code: reach.code.clone(),
+        verdict: reach.fit.into(),
+        if_estimate: reach.proviso.estimate,
+        unless_rating: reach.proviso.rating,
     }
 }
 

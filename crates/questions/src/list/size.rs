@@ -132,6 +132,9 @@ pub struct Ranking<'p> {
     pub top: usize,
     /// Changes with which an actuator fits, if none does.
     pub proposals: Proposals,
+    /// Smallest changes of load and cycle time with which an actuator fits; `None` if one fits already, or if the cycle is
+    /// too long for the search.
+    pub reached: Option<Vec<CatalogueReach>>,
     /// Tolerances judged for the first of these candidates and for the project's own actuator; empty without
     /// tolerances.
     pub assessed: Vec<(ProductId, Assessment)>,
@@ -154,8 +157,12 @@ pub fn ranking<'p>(
     // Without tolerances there is no assessment and no pair.
     let found = assess_watched(project, &chosen, sampling, progress)?;
     let assessed = chosen.iter().map(|candidate| candidate.id.clone()).zip(found).collect();
-    let proposals = if sizing.fits() { Proposals::default() } else { Proposals::of(project, progress)? };
-    Ok(Ranking { project, sizing, top, proposals, assessed })
+    let (proposals, reached) = if sizing.fits() {
+        (Proposals::default(), None)
+    } else {
+        (Proposals::of(project, progress)?, catalogue_reserve(project, progress)?)
+    };
+    Ok(Ranking { project, sizing, top, proposals, reached, assessed })
 }
 
 /// Judges and ranks the catalogue for an axis, without its tolerances; it can be cancelled. The first `complete` are
@@ -183,6 +190,8 @@ impl Ranking<'_> {
     /// Returns the record of the ranking.
     #[must_use]
     pub fn record(&self, language: Language) -> answers::Sizing {
-        answer::sizing(&self.sizing, self.project, &self.assessed, &self.proposals, self.top, language)
+        let reached = self.reached.iter().flatten().map(answer::would_fit_after).collect();
+        let record = answer::sizing(&self.sizing, self.project, &self.assessed, &self.proposals, self.top, language);
+        answers::Sizing { would_fit_after: reached, ..record }
     }
 }
