@@ -24,6 +24,10 @@ pub struct Battery {
 /// Battery life, and the two replacement rules, which apply in addition to the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BatteryLife {
+    /// h: operation per day.
+    pub per_day: Time,
+    /// s: storage before use.
+    pub storage: Time,
     /// L: life in use after storage, limited by the remainder of the ten years.
     pub life: Sourced<Time>,
     /// Recommended replacement interval of the encoder.
@@ -91,6 +95,8 @@ impl Battery {
         let years = left_of_it / ((24.0 - hours) / 24.0 + self.self_discharge.si());
         let left = self.exchange_latest.in_unit(&YEAR) - stored;
         Ok(BatteryLife {
+            per_day: operation_per_day,
+            storage,
             life: Sourced {
                 value: Time::new_in(years.min(left), &YEAR),
                 source: Source::Model { name: "battery" },

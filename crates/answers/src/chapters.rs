@@ -122,6 +122,10 @@ pub struct BearingOfSize {
 /// `battery`: life of the encoder's battery.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Battery {
+    /// Operation per day \[h\].
+    pub hours_per_day: Number,
+    /// Storage before use in `unit`.
+    pub storage: Number,
     /// Life in `unit`.
     pub life: Number,
     /// Recommended time of the replacement.
@@ -130,7 +134,7 @@ pub struct Battery {
     pub exchange_latest: Number,
     /// `true` if the life is limited by the cell instead of its charge.
     pub capped: bool,
-    /// Unit of the three times.
+    /// Unit of the times in years.
     pub unit: &'static str,
     /// Grade of the life.
     pub grade: Id<Grade>,

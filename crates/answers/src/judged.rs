@@ -109,9 +109,9 @@ pub struct Reserve {
     pub payload_factor: Option<Number>,
     /// Duration of the whole motion, run faster or slower.
     pub cycle_time: Option<Number>,
-    /// Highest ambient temperature.
+    /// Highest ambient temperature of those about the present one, or of the nearest ones at which the actuator fits.
     pub ambient: Option<Number>,
-    /// Lowest ambient temperature for which the data of the actuator hold; `null` without the highest.
+    /// Lowest ambient temperature of the same: below it a check fails, or the data of the actuator do not hold.
     pub ambient_least: Option<Number>,
     /// Units of cycle time and ambient temperature.
     pub units: Units,

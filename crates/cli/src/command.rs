@@ -157,7 +157,10 @@ fn headed(command: Command, above: &str, examples: &[(&str, String)], language: 
     let example = examples.iter().find(|(name, _)| *name == words);
     if let Some((_, call)) = example {
         let tail = command.get_after_help().map(|text| format!("{text}\n\n")).unwrap_or_default();
-        command = command.after_help(format!("{tail}{}:\n  {call}", help::example(language)));
+        let more = if words == NAME { &EVERYDAY[..] } else { &[] };
+        let head = if more.is_empty() { help::example(language) } else { help::examples(language) };
+        let calls: String = more.iter().map(|call| format!("\n  {call}")).collect();
+        command = command.after_help(format!("{tail}{head}:\n  {call}{calls}"));
     }
     let above = if command.get_name() == NAME { "" } else { words.as_str() };
     command.mut_subcommands(|subcommand| headed(subcommand, above, examples, language))
@@ -177,6 +180,16 @@ const EXAMPLES: [(&str, &str); 9] = [
     ("man", "antrieb man size"),
     ("help", "antrieb help size"),
     ("schema", "antrieb schema"),
+];
+
+/// Further calls below the help of the program, which spare a look at that of a command: another value, a table of values,
+/// an event, the temperatures of a day, a recording.
+pub(crate) const EVERYDAY: [&str; 5] = [
+    "antrieb check axis.toml --set motion.1.time=1s --scale load=1.15",
+    "antrieb sweep axis.toml --vary mass=20:60:10kg --vary motion.1.time=0.6:1:0.2s",
+    "antrieb simulate axis.toml --scenario power_failure",
+    "antrieb simulate axis.toml --hours-per-day 16",
+    "antrieb size recording.csv",
 ];
 
 /// Returns one call of each command, by its words; all of them are tested.

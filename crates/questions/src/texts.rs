@@ -20,13 +20,16 @@ use axis::RecordingRead;
 use configurator::{BrokenRule, ProductId, Unmet};
 use project::SegmentLaw;
 use quantities::unit::{
-    ARCMINUTE, DEGREE_CELSIUS, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, SECOND, YEAR,
+    ARCMINUTE, DEGREE_CELSIUS, HOUR, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, SECOND,
+    YEAR,
 };
 use quantities::{
     Language, Measure, ThermodynamicTemperature, Time, Unit, format_number, format_significant, with_symbol,
 };
 use recording::{ColumnRead, KnownBy};
-use sizing::{Amount, AxisChange, Check, CheckId, Demand, Fit, Proviso, Reserve, SAMPLES_ANEW, Unsought, Verdict};
+use sizing::{
+    Amount, AxisChange, Check, CheckId, Demand, Fit, Proviso, Reach, Reserve, SAMPLES_ANEW, Unsought, Verdict,
+};
 use words::{
     Provisos, check_title, conditions_text, describe_rule, encoding_guess, grade_word, marked, percent_text,
     proviso_text, records, source_text, symbol_term, terminal, title_of_check, unmet_text, unpadded,
@@ -372,11 +375,6 @@ pub fn demand_figures(demand: &Demand, language: Language) -> [(&'static str, St
     ]
 }
 
-/// Returns the lowest ambient temperature for which the data of an actuator hold.
-pub(crate) fn ambient_least(candidate: &Candidate<'_>) -> Option<ThermodynamicTemperature> {
-    candidate.parameters.ambient_range.known().map(|range| range.value.0)
-}
-
 /// Returns the largest permissible changes of one quantity each with their condition, and for a candidate that does not fit the
 /// limits of the project that would have to change. Each list has its heading.
 #[must_use]
@@ -414,14 +412,19 @@ pub fn change_lines(
     if let Some(reach) = reserve.cycle_time {
         add(terminal::cycle_time(&number(reach.value.si()), language), reach.proviso);
     }
-    if let Some(reach) = reserve.ambient {
-        let celsius = |at: ThermodynamicTemperature| unpadded(DEGREE_CELSIUS.from_si(at.si()), 4, language);
-        let most = celsius(reach.value);
-        let text = match ambient_least(candidate) {
-            Some(least) => terminal::ambient_between(&celsius(least), &most, language),
-            None => terminal::ambient(&most, language),
-        };
-        add(text, reach.proviso);
+    let celsius =
+        |reach: Reach<ThermodynamicTemperature>| unpadded(DEGREE_CELSIUS.from_si(reach.value.si()), 4, language);
+    match [reserve.ambient_least, reserve.ambient] {
+        [Some(least), Some(most)] => {
+            let both = Proviso {
+                estimate: least.proviso.estimate || most.proviso.estimate,
+                rating: least.proviso.rating || most.proviso.rating,
+            };
+            add(terminal::ambient_between(&celsius(least), &celsius(most), language), both);
+        }
+        [None, Some(most)] => add(terminal::ambient(&celsius(most), language), most.proviso),
+        [Some(least), None] => add(terminal::ambient_from(&celsius(least), language), least.proviso),
+        [None, None] => {}
     }
     let mut lines = Vec::new();
     if !parts.is_empty() {
@@ -555,6 +558,11 @@ pub fn battery_lines(battery: &BatteryLife, language: Language) -> Vec<String> {
     let grade = grade_word(battery.life.grade, language);
     let outlives = battery.capped.then(|| words::upkeep::battery_outlives_encoder(language).to_owned());
     let lines = [
+        terminal::battery_under(
+            &unpadded(battery.per_day.in_unit(&HOUR), 3, language),
+            &years(battery.storage),
+            language,
+        ),
         terminal::battery(&years(battery.life.value), &grade, language),
         terminal::battery_exchange(&years(battery.exchange_recommended), &years(battery.exchange_latest), language),
     ];

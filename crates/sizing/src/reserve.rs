@@ -5,7 +5,7 @@ use crate::brake_times::carried;
 use crate::check::{Check, CheckId, Fit, Verdict};
 use crate::judge::{Judgement, Proviso, Scope, judge};
 use crate::observer::{StepObserver, Unobserved, finished};
-use actuator::Parameters;
+use actuator::{HeatModel, Parameters};
 use numeric::border;
 use quantities::unit::{DEGREE_CELSIUS, ONE, SECOND};
 use quantities::{Mass, Measure, ThermodynamicTemperature, Time, Unit};
@@ -31,7 +31,9 @@ pub struct Reserve {
     pub payload_factor: Option<Reach<f64>>,
     /// Shortest cycle time: the whole motion, dwells included, run faster or slower.
     pub cycle_time: Option<Reach<Time>>,
-    /// Highest ambient temperature.
+    /// Lowest ambient temperature of those about the present one, or of the nearest ones at which the actuator fits.
+    pub ambient_least: Option<Reach<ThermodynamicTemperature>>,
+    /// Highest ambient temperature of the same.
     pub ambient: Option<Reach<ThermodynamicTemperature>>,
     /// Changes that were not searched because of their cost.
     pub unsought: Option<Unsought>,
@@ -85,6 +87,9 @@ const TRIALS: u32 = 3;
 /// Range of ambient temperatures, −20 °C to 80 °C \[K\].
 const AMBIENT_RANGE: (f64, f64) = (253.15, 353.15);
 
+/// Ambient temperature of an actuator without a heat model \[K\].
+const AMBIENT_USUAL: f64 = 313.15;
+
 /// Step of the search \[K\].
 const AMBIENT_STEP: f64 = 5.0;
 
@@ -116,7 +121,10 @@ pub fn reserve_watched<W: StepObserver>(
     let load = Search::of(&ONE, true, |factor: f64| judged(&axis.with_load(factor, factor)));
     let payload = Search::of(&ONE, true, |factor: f64| judged(&axis.with_load(1.0, factor)));
     let pace = Search::of(&SECOND, false, |cycle: f64| judged(&axis.with_time(cycle / duration)));
-    let ambient = || {
+    // Temperatures that are not stated are assumed to be the highest permissible one.
+    let reference = || HeatModel::of(actuator).ok().map(|heat| heat.ambient_reference());
+    let present_k = axis.ambient.or_else(reference).map_or(AMBIENT_USUAL, Measure::si);
+    let ambient = || -> Result<[Option<Reach<_>>; 2], W::Stop> {
         // A long axis is copied once.
         let warmer = RefCell::new(axis.clone());
         let at = |kelvin: f64| {
@@ -124,20 +132,31 @@ pub fn reserve_watched<W: StepObserver>(
             warmer.ambient = Some(ThermodynamicTemperature::from_si(kelvin));
             judged(&warmer)
         };
-        let warmest = Search { least_digit: TEMPERATURE_DIGIT, ..Search::of(&DEGREE_CELSIUS, true, at) };
-        let found = highest_ambient(|kelvin| Ok(excess(&warmest.judged(kelvin)?)))?;
-        found.map_or(Ok(None), |border| warmest.shown(border, ThermodynamicTemperature::from_si))
+        let upper = Search { least_digit: TEMPERATURE_DIGIT, ..Search::of(&DEGREE_CELSIUS, true, &at) };
+        let lower = Search {
+            worse_above: false,
+            ..Search { least_digit: TEMPERATURE_DIGIT, ..Search::of(&DEGREE_CELSIUS, true, &at) }
+        };
+        let [least, most] = ambient_region(present_k, |kelvin| Ok(excess(&upper.judged(kelvin)?)))?.unwrap_or_default();
+        let kelvin = ThermodynamicTemperature::from_si;
+        let ends = [
+            least.map_or(Ok(None), |border| lower.shown(border, kelvin))?,
+            most.map_or(Ok(None), |border| upper.shown(border, kelvin))?,
+        ];
+        Ok(ends)
     };
     let carries = axis.extras.iter().any(|extra| extra.mass.si() > 0.0 || extra.inertia.si() > 0.0);
     if matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_)) {
         // Recorded torques do not apply to another load or another pace.
-        return Ok(Reserve { ambient: ambient()?, ..Reserve::default() });
+        let [ambient_least, ambient] = ambient()?;
+        return Ok(Reserve { ambient_least, ambient, ..Reserve::default() });
     }
     let now = judge(axis, actuator, Scope::Deciding);
     let fails = |of: fn(CheckId) -> bool| now.checks.iter().any(|check| check.verdict == Verdict::Fail && of(check.id));
     if fails(CheckId::is_of_the_place) {
         // A failed check that depends on neither load nor pace cannot pass by changing them.
-        return Ok(Reserve { ambient: ambient()?, ..Reserve::default() });
+        let [ambient_least, ambient] = ambient()?;
+        return Ok(Reserve { ambient_least, ambient, ..Reserve::default() });
     }
     let here = excess(&now);
     let [other_load, other_pace] = axis.found_anew();
@@ -154,7 +173,7 @@ pub fn reserve_watched<W: StepObserver>(
         faster.map_or(Ok(None), |(good, bad)| pace.shown((duration / good, duration / bad), Time::from_si))
     };
     let cycle_time = || if seeks[1] { of_the_pace() } else { Ok(None) };
-    let of_others = || Ok((cycle_time()?, if too_fast { None } else { ambient()? }));
+    let of_others = || Ok((cycle_time()?, if too_fast { [None; 2] } else { ambient()? }));
     // If a change of the pace is too expensive, so is one of the load.
     let unsought = (!seeks[0] && (!too_fast || !seeks[1])).then_some(Unsought { pace: !seeks[1], samples: other_load });
     let (loads, others): (Result<_, W::Stop>, Result<_, W::Stop>) = if axis.is_short() {
@@ -168,8 +187,8 @@ pub fn reserve_watched<W: StepObserver>(
             (loads, others.and_then(|others| others.join().ok()).unwrap_or_else(of_others))
         })
     };
-    let ((load_factor, payload_factor), (cycle_time, ambient)) = (loads?, others?);
-    Ok(Reserve { load_factor, payload_factor, cycle_time, ambient, unsought })
+    let ((load_factor, payload_factor), (cycle_time, [ambient_least, ambient])) = (loads?, others?);
+    Ok(Reserve { load_factor, payload_factor, cycle_time, ambient_least, ambient, unsought })
 }
 
 /// Judgements of an actuator under changes of one quantity.
@@ -362,27 +381,43 @@ fn step(factor: f64) -> f64 {
     STEPS.iter().find(|(until, _)| factor < *until).map_or(1.1, |(_, step)| *step)
 }
 
-/// Returns both sides of the highest ambient temperature at which the actuator fits \[K\]; `None` if it fits at none, or
-/// at all of the range.
-fn highest_ambient<S>(mut excess: impl FnMut(f64) -> Result<f64, S>) -> Result<Option<(f64, f64)>, S> {
+/// Returns both sides of the ends of the ambient temperatures at which the actuator fits \[K\], the lower and the upper one:
+/// those about the present temperature, or the nearest ones, below it first. An end outside the range is `None`: no check that
+/// was made depends on the temperature there. `None` if it fits at no temperature of the range.
+#[allow(clippy::type_complexity, reason = "two sides of two ends")]
+fn ambient_region<S>(
+    present: f64,
+    mut excess: impl FnMut(f64) -> Result<f64, S>,
+) -> Result<Option<[Option<(f64, f64)>; 2]>, S> {
     let (low, high) = AMBIENT_RANGE;
-    // From above: the highest fitting region.
-    let mut kelvin = high;
-    let mut above = None;
-    while kelvin >= low {
-        let here = (kelvin, excess(kelvin)?);
-        if here.1 <= 0.0 {
-            let above = match above {
-                Some(above) => above,
-                None => (kelvin + AMBIENT_STEP, excess(kelvin + AMBIENT_STEP)?),
-            };
-            // Where it fits at the end of the range too, no check that was made depends on the temperature.
-            return Ok(if above.1 > 0.0 { Some(border(excess, here, above, NARROW)?) } else { None });
+    let mut inside = (present, excess(present)?);
+    if inside.1 > 0.0 {
+        let mut nearest = None;
+        for sense in [-1.0, 1.0] {
+            let mut outside = inside;
+            while nearest.is_none() && (low..=high).contains(&(outside.0 + sense * AMBIENT_STEP)) {
+                let kelvin = outside.0 + sense * AMBIENT_STEP;
+                let here = (kelvin, excess(kelvin)?);
+                if here.1 <= 0.0 { nearest = Some(here) } else { outside = here }
+            }
         }
-        above = Some(here);
-        kelvin -= AMBIENT_STEP;
+        let Some(found) = nearest else { return Ok(None) };
+        inside = found;
     }
-    Ok(None)
+    let mut ends = [None; 2];
+    for (sense, end) in [-1.0, 1.0].into_iter().zip(&mut ends) {
+        let mut last = inside;
+        while (low..=high).contains(&last.0) {
+            let kelvin = last.0 + sense * AMBIENT_STEP;
+            let here = (kelvin, excess(kelvin)?);
+            if here.1 > 0.0 {
+                *end = Some(border(&mut excess, last, here, NARROW)?);
+                break;
+            }
+            last = here;
+        }
+    }
+    Ok(Some(ends))
 }
 
 impl Axis {

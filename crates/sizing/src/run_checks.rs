@@ -14,7 +14,7 @@ identified! {
     /// Identifier of a check of a simulated run, part of the contract with scripts.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum RunCheckId {
-        /// Largest motor current against the demagnetisation limit, else against I_max.
+        /// Largest motor current against I_max; beyond the demagnetisation limit against that.
         CurrentPeak = "current_peak",
         /// Largest output torque against T_max; after a collision or a stop against T_M if it is known.
         TorquePeak = "torque_peak",
@@ -79,12 +79,12 @@ impl RunCheckId {
         }
     }
 
-    /// Returns the limit in SI.
-    fn limit(self, case: &RunCase<'_>) -> Option<Sourced<f64>> {
+    /// Returns the limit in SI of a value.
+    fn limit(self, value: f64, case: &RunCase<'_>) -> Option<Sourced<f64>> {
         let actuator = case.actuator;
         match self {
-            // The inverter limits the setpoint; the current itself oscillates around it.
-            Self::CurrentPeak => known(&actuator.current_demagnetisation).or_else(|| known(&actuator.current_max)),
+            Self::CurrentPeak if is_demagnetised(value, actuator) => known(&actuator.current_demagnetisation),
+            Self::CurrentPeak => known(&actuator.current_max),
             Self::TorquePeak if case.is_cycle => known(&actuator.torque_max),
             Self::TorquePeak => known(&actuator.gear.collision_torque_max).or_else(|| known(&actuator.torque_max)),
             Self::SpeedPeak => speed_max(actuator).ok().map(|limit| limit.map(Measure::si)),
@@ -102,12 +102,16 @@ impl RunCheckId {
     }
 
     /// Returns `true` if a value beyond the limit is advice and no failure.
-    fn is_advice(self, limit: &Sourced<f64>, case: &RunCase<'_>) -> bool {
+    fn is_advice(self, value: f64, limit: &Sourced<f64>, case: &RunCase<'_>) -> bool {
         match self {
             // A rating of another gear is no reason for rejection.
             _ if matches!(limit.source, Source::Published(_)) => true,
-            // The drive keeps its setpoint within I_max; the manual states no limit for a short overshoot.
-            Self::CurrentPeak => case.is_limited && case.actuator.current_demagnetisation.known().is_none(),
+            // The drive keeps its setpoint within I_max and the current itself oscillates around it; the manual states no
+            // limit for a short overshoot but the demagnetisation limit.
+            Self::CurrentPeak => {
+                let has_magnets = case.actuator.current_demagnetisation.known().is_some();
+                !is_demagnetised(value, case.actuator) && (case.is_limited || has_magnets)
+            }
             // U_DCmax is the largest stationary voltage; it may be exceeded briefly while braking (glossary of the
             // manual).
             Self::LinkHigh => case.has_chopper_room == Some(false),
@@ -118,22 +122,22 @@ impl RunCheckId {
     /// Compares a figure of a run with its limit, within [`RUN_TOLERANCE`].
     #[must_use]
     pub fn compare(self, value: f64, case: &RunCase<'_>) -> RunCheck {
-        let limit = self.limit(case);
+        let limit = self.limit(value, case);
         let verdict = match &limit {
             None => Verdict::NotChecked,
             Some(limit) if value <= limit.value * (1.0 + RUN_TOLERANCE) => Verdict::Pass,
-            Some(limit) if self.is_advice(limit, case) => Verdict::Advice,
+            Some(limit) if self.is_advice(value, limit, case) => Verdict::Advice,
             Some(_) => Verdict::Fail,
         };
-        let limit_symbol = if limit.is_some() { self.limit_symbol(case) } else { "" };
+        let limit_symbol = if limit.is_some() { self.limit_symbol(value, case) } else { "" };
         RunCheck { id: self, value, limit, limit_symbol, verdict }
     }
 
     /// Returns the symbol of the limit in use, where several are possible.
-    fn limit_symbol(self, case: &RunCase<'_>) -> &'static str {
+    fn limit_symbol(self, value: f64, case: &RunCase<'_>) -> &'static str {
         let actuator = case.actuator;
         match self {
-            Self::CurrentPeak if actuator.current_demagnetisation.known().is_some() => "I_E",
+            Self::CurrentPeak if is_demagnetised(value, actuator) => "I_E",
             Self::CurrentPeak => "I_max",
             Self::TorquePeak if !case.is_cycle && actuator.gear.collision_torque_max.known().is_some() => "T_M",
             Self::TorquePeak => "T_max",
@@ -141,6 +145,12 @@ impl RunCheckId {
             Self::SpeedPeak | Self::Overload | Self::LinkHigh | Self::StopAngle | Self::DriveFaults => "",
         }
     }
+}
+
+/// Returns `true` if a current is beyond the demagnetisation limit, or if this is the only known one.
+fn is_demagnetised(value: f64, actuator: &Parameters) -> bool {
+    let magnets = known(&actuator.current_demagnetisation);
+    magnets.is_some_and(|limit| value > limit.value * (1.0 + RUN_TOLERANCE)) || actuator.current_max.known().is_none()
 }
 
 fn known<Q: Measure>(datum: &Datum<Q>) -> Option<Sourced<f64>> {

@@ -52,6 +52,9 @@ pub struct Summary {
     pub stop_s: Option<f64>,
     /// Largest distance from the place of the event until the axis is at rest \[rad\].
     pub stop_rad: Option<f64>,
+    /// Farthest ways below the lowest and above the highest position of the motion until the axis is at rest after the event
+    /// \[rad\]; `None` without a stop, within the range, or if the cycle does not end where it starts.
+    pub beyond_rad: [Option<f64>; 2],
 }
 
 /// Results accumulated during a run.
@@ -240,6 +243,7 @@ impl Gathered {
             brake_closings,
             stop_s: happens.and(last.stop).map(|(time, _)| time),
             stop_rad: happens.and(last.stop).map(|(_, way)| way),
+            beyond_rad: [None; 2],
         }
     }
 }

@@ -575,14 +575,19 @@ impl<'a> Twin<'a> {
     pub fn summary(&self) -> Summary {
         let stored = self.plant.stored(&self.state) - self.stored_at_start_j;
         let energies = self.state.energies;
-        self.gathered.summary(
+        let summary = self.gathered.summary(
             &energies,
             energies.unaccounted(stored),
             [&self.link, self.highest_link()],
             self.time_s(),
             self.brake.closings,
             self.happens_s,
-        )
+        );
+        let ends = self.course.ends_rad().filter(|_| summary.stop_rad.is_some());
+        let Some([lower, upper]) = ends else { return summary };
+        let [lowest, highest] = self.gathered.reached_rad();
+        let beyond_rad = [lower - lowest, highest - upper].map(|beyond| Some(beyond).filter(|beyond| *beyond > 0.0));
+        Summary { beyond_rad, ..summary }
     }
 }
 

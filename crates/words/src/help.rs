@@ -39,6 +39,7 @@ texts! {
     options = "Options" | "Optionen";
     help_flag = "Print this help" | "Diese Hilfe zeigen";
     version_flag = "Print the version" | "Die Version zeigen";
+    examples = "Examples" | "Beispiele";
     example = "Example" | "Beispiel";
     size = "Rank the whole catalogue for an axis" | "Den ganzen Katalog für eine Achse bewerten und ordnen";
     size_top = "Number of fitting actuators shown (10)" | "Anzahl der gezeigten geeigneten Antriebe (10)";

@@ -39,6 +39,8 @@ texts! {
     stop_missing =
         "after the event the axis does not come to rest within this run: time and angle of the stop are not known"
         | "nach dem Ereignis kommt die Achse in diesem Lauf nicht zum Stillstand: Anhaltezeit und Anhaltewinkel sind nicht bekannt";
+    beyond_lowest = "beyond the lowest position of the motion" | "über die niedrigste Position der Bewegung hinaus";
+    beyond_highest = "beyond the highest position of the motion" | "über die höchste Position der Bewegung hinaus";
     stop_travel = "stopping distance" | "Anhalteweg";
     steps_at(key) = "state the instant of the event ({key})" | "den Zeitpunkt des Ereignisses angeben ({key})";
     summary = "summary" | "Zusammenfassung";

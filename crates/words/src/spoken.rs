@@ -291,6 +291,8 @@ pub const OPTIONS: &[(&str, &[&str])] = &[
     ("picture", &["figure"]),
     ("product", &["code"]),
     ("replace", &["set"]),
+    ("shift", &["hours-per-day"]),
+    ("shifts", &["hours-per-day"]),
     ("value", &["set"]),
     ("with", &["set"]),
 ];
@@ -328,6 +330,8 @@ pub const TWIN_OPTIONS: &[(&str, &[&str])] = &[
     ("projekt", &["project"]),
     ("prüfliste", &["checklist"]),
     ("regler", &["for"]),
+    ("schicht", &["hours-per-day"]),
+    ("schichten", &["hours-per-day"]),
     ("servoregler", &["for"]),
     ("setzen", &["set"]),
     ("skalieren", &["scale"]),

@@ -12,6 +12,7 @@ texts! {
     fitting(rows, share) =
         "an actuator fits: {rows} row ({share} %)" | "ein Antrieb ist geeignet: {rows} Zeile ({share} %)",
         "an actuator fits: {rows} rows ({share} %)" | "ein Antrieb ist geeignet: {rows} Zeilen ({share} %)";
+    on_a_condition(check) = "{check}; fits on a condition" | "{check}; bedingt geeignet";
     fitting_if_estimate(rows, share) =
         "{rows} of them only if an estimate holds or the gear rating of another manufacturer does not apply ({share} %)"
         | "davon {rows} nur, sofern eine Schätzung zutrifft oder die Getriebegrenze eines anderen Herstellers nicht gilt ({share} %)";

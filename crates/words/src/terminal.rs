@@ -3,6 +3,9 @@
 use crate::texts::texts;
 
 texts! {
+    battery_under(hours, storage) =
+        "battery of the encoder M128S at 25 °C, {hours} h of operation a day, {storage} years of storage before it"
+        | "Batterie des Gebers M128S bei 25 °C, {hours} h Betrieb je Tag, zuvor {storage} Jahre Lagerung";
     battery(life, grade) =
         "encoder battery: life {life} years in operation ({grade}, model battery)"
         | "Geberbatterie: Lebensdauer {life} Jahre im Betrieb ({grade}, Modell Batterie)";
@@ -171,8 +174,10 @@ texts! {
         | "andere Lasten: jeder Suchschritt müsste Lasten im Umfang von {samples} Abtastwerten neu berechnen; über {most} geschieht dies nur, wenn bei check, size oder report mit --deadline eine Zeitgrenze angegeben ist";
     payload_factor(factor) = "payload × {factor}" | "Nutzlast × {factor}";
     load_factor(factor) = "all masses and inertias × {factor}" | "alle Massen und Trägheitsmomente × {factor}";
-    cycle_time(time) = "cycle time {time} s" | "Zykluszeit {time} s";
+    cycle_time(time) =
+        "cycle time {time} s, moves and dwells alike" | "Zykluszeit {time} s, Bewegungen und Rasten gleichermaßen";
     ambient(ambient) = "ambient temperature up to {ambient} °C" | "Umgebungstemperatur bis {ambient} °C";
+    ambient_from(ambient) = "ambient temperature from {ambient} °C" | "Umgebungstemperatur ab {ambient} °C";
     ambient_between(least, most) =
         "ambient temperature from {least} to {most} °C" | "Umgebungstemperatur von {least} bis {most} °C";
     values_set(values) = "set: {values}" | "gesetzt: {values}";

@@ -310,7 +310,9 @@ pub(crate) fn unit(text: &str, (prefix, word): (&str, &str)) -> Option<String> {
     let all = written(text)?;
     let due = Due::of(&all, prefix, meaning(word)?);
     let first = due.paths.first()?;
-    let own = due.stated(first).map(|value| number_and_unit(value).1).filter(|unit| !unit.is_empty());
+    // A word, as a law of motion, has no unit.
+    let quantity = due.stated(first).map(number_and_unit).filter(|(number, _)| !number.is_empty());
+    let own = quantity.map(|(_, unit)| unit).filter(|unit| !unit.is_empty());
     let fitting = || UNITS.into_iter().find(|unit| accepted::is_quantity(first, &format!("1 {unit}")));
     own.or_else(fitting).map(str::to_owned)
 }

@@ -79,7 +79,12 @@ fn checked(check: &SweepCheck, language: Language) -> String {
 /// Returns the cells of an answer: number of fitting codes, the best one, and its governing check or the reason.
 fn answer(row: &SweepRow, language: Language) -> [String; 4] {
     let count = [row.fit, row.fit_if_estimate].into_iter().flatten().sum::<u32>();
-    let title = row.tightest.as_ref().map(|check: &answers::Id<CheckId>| check_title(check.0, language));
+    // The utilisation of an actuator that fits exceeds one only within the band of an estimate or beyond a foreign rating.
+    let is_conditional = count > 0 && row.utilisation.as_ref().is_some_and(|share| share.0 > 1.0);
+    let title = row.tightest.as_ref().map(|check: &answers::Id<CheckId>| {
+        let title = check_title(check.0, language);
+        if is_conditional { sweeps::on_a_condition(&title, language) } else { title }
+    });
     let fits = if row.fit.is_some() { count.to_string() } else { String::new() };
     let none = || if count == 0 && row.error.is_none() { "–".to_owned() } else { String::new() };
     [

@@ -2,6 +2,7 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use crate::refusals::{call, named};
+use crate::run::{run, run_at};
 
 /// A folder with two projects, so that none of them is plainly meant.
 fn folder() -> tempfile::TempDir {
@@ -247,5 +248,27 @@ fn two_words_for_one_kind_are_one() {
     for words in ["rotary table disc", "disc turntable", "lift hoist"] {
         let run = call(folder.path(), &format!("antrieb new {words}"));
         assert!(run.code == 0 && run.out.contains("format = 1"), "{words}\n{}", run.err);
+    }
+}
+
+/// The calls below the help of the program work as they stand, one after the other, in an empty folder with a recording.
+#[test]
+fn the_calls_below_the_help_work_in_an_empty_folder() {
+    for (language, head) in [("en", "Examples:"), ("de", "Beispiele:")] {
+        let help = run(&["--help", "--lang", language]).out;
+        let (_, below) = help.split_once(head).unwrap_or_else(|| panic!("{help}"));
+        let calls: Vec<&str> = below.trim().lines().flat_map(|line| line.trim().split(" && ")).collect();
+        assert!(calls.len() >= 7, "{calls:?}");
+        let folder = tempfile::tempdir().unwrap();
+        let turned = |place: i32| 40.0 * (1.0 - (f64::from(place) * 0.0314).cos());
+        let rows = (0..=200).map(|place| format!("{:.2},{:.4},12\n", f64::from(place) * 0.01, turned(place)));
+        let text = format!("time_s,position_deg,torque_nm\n{}", rows.collect::<String>());
+        std::fs::write(folder.path().join("recording.csv"), text).unwrap();
+        for call in calls {
+            let words: Vec<&str> = call.split(' ').skip(1).collect();
+            let found = run_at(folder.path(), &[&words[..], &["--lang", language]].concat());
+            assert!(found.code == 0 || found.code == 1, "{call}: {} {}", found.out, found.err);
+            assert!(!found.out.is_empty(), "{call}: {}", found.err);
+        }
     }
 }

@@ -163,7 +163,7 @@ fn the_end_of_a_segment_is_pulled_and_its_text_follows() {
     let html = page("/work", &[("text", &text)]);
     // The law with limited jerk ends after 1.8625 s at 800 mm.
     assert!(
-        html.contains("id=\"grip-0\"") && html.contains("data-goes=\"true\"") && html.contains("800.0 mm"),
+        html.contains("id=\"grip-0\"") && html.contains("data-goes=\"true\"") && html.contains("800.0\u{a0}mm"),
         "{html}"
     );
     let pulled = page("/work", &[("text", &text), ("path", "motion[3]"), ("pulled", "1.4 -400 2.8 -800")]);

@@ -48,8 +48,13 @@ right class of voltage and place; where none fits, the one with the smallest exc
 where none does, the one that misses the fewest requirements and limits. `null` if there is none."""
     own: Assessed | None = None
     """Project's own actuator."""
+    would_fit_after: Rows[WouldFitAfter] | None = None
+    """Smallest changes of load and cycle time with which an actuator would fit, one change at a time; only if nothing
+fits and the cycle is not too long for the search."""
     would_fit_with: Rows[WouldFit] | None = None
     """Values of the gearing with which an actuator would fit, one change at a time; only if nothing fits."""
+    would_fit_with_law: WouldFitWithLaw | None = None
+    """Law of motion in place of the assumed one with which an actuator would fit; only if nothing fits and a law is open."""
     assumptions: Rows[AssumptionEntry]
     """Assumptions."""
     stage: Stage | None = None
@@ -470,6 +475,26 @@ requirements."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class WouldFitAfter(Record):
+    """A change of load or cycle time after which an actuator would fit."""
+
+    change: str
+    """Changed quantity: `cycle_time`, `payload_factor` or `load_factor`, as in `reserve`."""
+    value: float | None
+    """Duration of the cycle, or factor."""
+    unit: str
+    """Unit of the value; `1` for a factor."""
+    code: str
+    """Best ordering code with this value."""
+    verdict: Fit
+    """Verdict on this code."""
+    if_estimate: bool
+    """`true` if the code fits only if an estimate holds."""
+    unless_rating: bool
+    """`true` if the code fits unless a gear rating of another manufacturer applies."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class WouldFit(Record):
     """A value with which an actuator would fit."""
 
@@ -483,6 +508,26 @@ class WouldFit(Record):
     """Unit of the value; `1` for a ratio."""
     code: str
     """Best ordering code with this value."""
+    verdict: Fit
+    """Verdict on this code."""
+    if_estimate: bool
+    """`true` if the code fits only if an estimate holds."""
+    unless_rating: bool
+    """`true` if the code fits unless a gear rating of another manufacturer applies."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class WouldFitWithLaw(Record):
+    """A law of motion with which an actuator would fit."""
+
+    law: str
+    """Law of every move whose law is open, as in project files."""
+    title: str
+    """Law as text."""
+    keys: list[str]
+    """Keys of these laws."""
+    code: str
+    """Best ordering code with this law."""
     verdict: Fit
     """Verdict on this code."""
     if_estimate: bool
@@ -779,9 +824,9 @@ fit, all together; only if nothing but these limits rejects it."""
     cycle_time: float | None = None
     """Duration of the whole motion, run faster or slower."""
     ambient: float | None = None
-    """Highest ambient temperature."""
+    """Highest ambient temperature of those about the present one, or of the nearest ones at which the actuator fits."""
     ambient_least: float | None = None
-    """Lowest ambient temperature for which the data of the actuator hold; `null` without the highest."""
+    """Lowest ambient temperature of the same: below it a check fails, or the data of the actuator do not hold."""
     units: Units
     """Units of cycle time and ambient temperature."""
     if_estimate: list[str]
@@ -1020,6 +1065,8 @@ class Explained(Record):
     """Remarks, as text."""
     errata: list[str] | None = None
     """Ids of the errata that value or limit depend on; their evidence is in `notes`. Omitted if there are none."""
+    meaning: str
+    """What the check compares, as text."""
     derivation: Derivation
     """Derivation of its figures."""
 
@@ -1179,22 +1226,14 @@ class WorstInstant(Record):
     """Id of the effect by which the worst instant is chosen."""
     examined: int
     """Number of instants examined."""
+    limited: bool
+    """`true` if the limit of the steps left further instants out."""
     directions: Rows[WorstOfDirection]
     """Worst instant of every direction of motion, the chosen one first."""
+    overruns: Rows[EndOverrun]
+    """Farthest ways beyond the ends of the motion; empty if the axis stays between them or has none."""
     title: str
     """Choice as text."""
-
-    def __iter__(self) -> Iterator[WorstOfDirection]:
-        return iter(self.directions)
-
-    def __len__(self) -> int:
-        return len(self.directions)
-
-    def __contains__(self, item: object, /) -> bool:
-        return item in self.directions
-
-    def __getitem__(self, key: int | str, /) -> WorstOfDirection:
-        return self.directions[key]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -1211,6 +1250,22 @@ class WorstOfDirection(Record):
     """Unit of the effect."""
     rests: bool
     """`true` if the axis comes to rest within two seconds, or if the event does not stop it."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class EndOverrun(Record):
+    """Farthest way beyond an end of the motion after an event."""
+
+    end: MotionDirection
+    """Direction of the output in which the end is passed."""
+    at: float | None
+    """Instant of the event \\[s\\]."""
+    value: float | None
+    """Distance of the farthest position from the end."""
+    unit: str
+    """Unit of the distance: mm along a linear axis, else degrees."""
+    rests: bool
+    """The axis comes to rest within the examined time."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -3364,6 +3419,10 @@ class AxesOfBearings(Record):
 class Battery(Record):
     """`battery`: life of the encoder's battery."""
 
+    hours_per_day: float | None
+    """Operation per day \\[h\\]."""
+    storage: float | None
+    """Storage before use in `unit`."""
     life: float | None
     """Life in `unit`."""
     exchange_recommended: float | None
@@ -3373,7 +3432,7 @@ class Battery(Record):
     capped: bool
     """`true` if the life is limited by the cell instead of its charge."""
     unit: str
-    """Unit of the three times."""
+    """Unit of the times in years."""
     grade: Grade
     """Grade of the life."""
     source: str
@@ -3714,6 +3773,10 @@ class GlossaryCheck(Record):
     """English title."""
     de: str
     """German title."""
+    meaning_en: str
+    """What the check compares, in English."""
+    meaning_de: str
+    """What the check compares, in German."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -4306,6 +4369,7 @@ __all__ = [
     "EncoderState",
     "EncoderValue",
     "EncoderWord",
+    "EndOverrun",
     "Errata",
     "Erratum",
     "ErratumCell",
@@ -4437,4 +4501,6 @@ __all__ = [
     "WorstInstant",
     "WorstOfDirection",
     "WouldFit",
+    "WouldFitAfter",
+    "WouldFitWithLaw",
 ]

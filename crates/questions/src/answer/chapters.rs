@@ -12,8 +12,8 @@ use axis::{BodyAnswer, InertiaAnswer};
 use configurator::ProductId;
 use provenance::Datum;
 use quantities::unit::{
-    ARCMINUTE, DEGREE, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_RADIAN, PERCENT,
-    RADIAN, REVOLUTION_PER_MINUTE, VOLT, YEAR,
+    ARCMINUTE, DEGREE, HOUR, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_RADIAN,
+    PERCENT, RADIAN, REVOLUTION_PER_MINUTE, VOLT, YEAR,
 };
 use quantities::{Angle, Language, Measure};
 use words::{curve_title, equation_text, source_text};
@@ -99,6 +99,8 @@ pub fn bearings(sizes: &[Candidate<'_>], language: Language) -> Bearings {
 #[must_use]
 pub fn battery(battery: &BatteryLife) -> Battery {
     Battery {
+        hours_per_day: Number::in_unit(battery.per_day.si(), &HOUR),
+        storage: Number::in_unit(battery.storage.si(), &YEAR),
         life: Number::in_unit(battery.life.value.si(), &YEAR),
         exchange_recommended: Number::in_unit(battery.exchange_recommended.si(), &YEAR),
         exchange_latest: Number::in_unit(battery.exchange_latest.si(), &YEAR),

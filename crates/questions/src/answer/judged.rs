@@ -7,7 +7,7 @@ use crate::catalogue_reserve::CatalogueReach;
 use crate::gearing_proposals::{GearingProposal, LawProposal, Proposals};
 use crate::limits::{NeededLimit, limits_needed};
 use crate::sizing_use::{Candidate, Sizing};
-use crate::texts::{ambient_least, conditional_text, objection_text, reserve_condition, unsought_text};
+use crate::texts::{conditional_text, objection_text, reserve_condition, unsought_text};
 use crate::tolerance::{Assessment, PointKind};
 use answers::{
     Assessed, Fit, Id, Influence, Judgement, Make, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
@@ -218,6 +218,7 @@ pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>, language: Language)
         ("load_factor", reserve.load_factor.map(|reach| reach.proviso)),
         ("payload_factor", reserve.payload_factor.map(|reach| reach.proviso)),
         ("cycle_time", reserve.cycle_time.map(|reach| reach.proviso)),
+        ("ambient_least", reserve.ambient_least.map(|reach| reach.proviso)),
         ("ambient", reserve.ambient.map(|reach| reach.proviso)),
     ];
     let names = |of: fn(Proviso) -> bool| {
@@ -229,10 +230,7 @@ pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>, language: Language)
         payload_factor: reserve.payload_factor.map(|reach| Number(reach.value)),
         cycle_time: reserve.cycle_time.map(|reach| Number::in_unit(reach.value.si(), &SECOND)),
         ambient: reserve.ambient.map(|reach| Number::in_unit(reach.value.si(), &DEGREE_CELSIUS)),
-        ambient_least: reserve
-            .ambient
-            .and_then(|_| ambient_least(candidate))
-            .map(|least| Number::in_unit(least.si(), &DEGREE_CELSIUS)),
+        ambient_least: reserve.ambient_least.map(|reach| Number::in_unit(reach.value.si(), &DEGREE_CELSIUS)),
         units: Units::of(&[("cycle_time", &SECOND), ("ambient", &DEGREE_CELSIUS), ("ambient_least", &DEGREE_CELSIUS)]),
         if_estimate: names(|proviso| proviso.estimate),
         unless_rating: names(|proviso| proviso.rating),

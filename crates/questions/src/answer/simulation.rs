@@ -159,7 +159,9 @@ fn figures(run: &Simulated<'_>, language: Language) -> Vec<Figure> {
     let travel = run.project.axis.mechanism.travel_m_per_rad();
     let along = |angle: f64| travel.map(|travel| angle * travel.abs());
     let [at_rest, in_motion] = s.brake_closings.map(|count| Some(f64::from(count)));
-    let all: [(&'static str, Word, Option<f64>, &'static Unit); 34] = [
+    let way_unit = if travel.is_some() { &MILLIMETRE } else { &DEGREE };
+    let way = |angle: Option<f64>| if travel.is_some() { angle.and_then(along) } else { angle };
+    let all: [(&'static str, Word, Option<f64>, &'static Unit); 36] = [
         ("following_peak", simulation::following_peak, Some(s.following_peak_rad), &ARCMINUTE),
         ("following_rms", simulation::following_rms, Some(s.following_rms_rad), &ARCMINUTE),
         ("settling", simulation::settling, s.settling_s, &SECOND),
@@ -192,6 +194,8 @@ fn figures(run: &Simulated<'_>, language: Language) -> Vec<Figure> {
         ("stop_time", simulation::stop_time, s.stop_s, &SECOND),
         ("stop_angle", simulation::stop_angle, s.stop_rad, &DEGREE),
         ("stop_travel", simulation::stop_travel, s.stop_rad.and_then(along), &MILLIMETRE),
+        ("overrun_below", simulation::beyond_lowest, way(s.beyond_rad[0]), way_unit),
+        ("overrun_above", simulation::beyond_highest, way(s.beyond_rad[1]), way_unit),
         ("brake_rest", simulation::brake_rest, at_rest, &ONE),
         ("brake_moving", simulation::brake_moving, in_motion, &ONE),
     ];

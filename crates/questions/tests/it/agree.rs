@@ -4,7 +4,7 @@
 
 use axis::{AxisProject, NoFiles};
 use project::{Counted, Edit, Heading, Input, edit, inputs};
-use quantities::{Language, Measure};
+use quantities::{Language, Measure, ThermodynamicTemperature};
 use questions::list::size::{gearing_proposals, sized};
 use questions::sweep::{Cells, Judged, Options, Sweep};
 use questions::{Candidate, Check, Fit, ProductId, Progress, Rejected, Sizing, Verdict, check};
@@ -411,4 +411,46 @@ fn the_counting_line_names_what_the_counted_rest_on() {
         ratings += usize::from(rating);
     }
     assert!(estimates > 5 && ratings > 0, "{estimates} {ratings}");
+}
+
+/// At the ends of the stated ambient temperatures an actuator fits, beyond them it does not; they contain the present one
+/// where it fits, and exclude it where it does not.
+#[test]
+fn the_stated_ambient_temperatures_are_those_at_which_an_actuator_fits() {
+    let (mut within, mut without, mut lower) = (0, 0, 0);
+    for (place, text) in texts().iter().enumerate() {
+        let mut project = questions::read(text).unwrap();
+        let ambient = ThermodynamicTemperature::from_si(273.15 + [35.0, 5.0, 28.0][place % 3]);
+        project.axis.ambient = Some(ambient);
+        let sizing = questions::size(&project);
+        let rejected = sizing.rejected().iter().filter(|each| each.objections.is_empty());
+        for each in sizing.fitting().iter().take(3).chain(rejected.take(9)) {
+            let Ok(named) = check(&project, &code(each)) else { continue };
+            let reserve = questions::reserve_of(&project, &named);
+            let fits_at = |kelvin: f64| {
+                let mut other = project.clone();
+                other.axis.ambient = Some(ThermodynamicTemperature::from_si(kelvin));
+                check(&other, &code(each)).unwrap().judgement.checks.iter().all(|check| check.verdict != Verdict::Fail)
+            };
+            let [least, most] = [reserve.ambient_least, reserve.ambient].map(|end| end.map(|end| end.value.si()));
+            if least.is_none() && most.is_none() {
+                continue;
+            }
+            for (end, beyond) in [(least, -0.06), (most, 0.06)] {
+                let Some(end) = end else { continue };
+                assert!(fits_at(end), "{} at {end} K\n{text}", each.id);
+                assert!(!fits_at(end + beyond), "{} beyond {end} K\n{text}", each.id);
+            }
+            let here = ambient.si();
+            let contains = least.is_none_or(|least| least <= here) && most.is_none_or(|most| here <= most);
+            assert_eq!(contains, fits_at(here), "{} {least:?} {most:?}\n{text}", each.id);
+            if contains {
+                within += 1
+            } else {
+                without += 1
+            }
+            lower += usize::from(least.is_some_and(|least| least > 273.2));
+        }
+    }
+    assert!(within > 10 && without > 2, "{within} {without} {lower}");
 }

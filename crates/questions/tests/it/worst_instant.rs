@@ -8,7 +8,7 @@ use testkit::projects::{Draws, LAWS, mechanisms};
 const CODE: (&str, &str) = ("code", "CHA-40A-50-H-C1024-B");
 
 /// Largest amount by which an instant of the grid may exceed the chosen one: relative, and in degrees. The search ends at
-/// steps of a sixty-fourth of a move.
+/// steps of a two hundred and fifty-sixth of a move.
 const TOLERANCE: (f64, f64) = (0.005, 0.02);
 
 /// Instants of the grid over the cycle.

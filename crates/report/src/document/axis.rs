@@ -235,17 +235,21 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Format
         (Reserve::LoadFactor, "load_factor", reserve.load_factor, "1"),
         (Reserve::PayloadFactor, "payload_factor", reserve.payload_factor, "1"),
         (Reserve::CycleTime, "cycle_time", reserve.cycle_time, "s"),
-        (Reserve::Ambient, "ambient", reserve.ambient, "degC"),
+        (Reserve::Ambient, "ambient", reserve.ambient.or(reserve.ambient_least), "degC"),
     ]
     .into_iter()
     .filter_map(|(what, name, value, unit)| {
         let most = shown.figure(value?, unit);
-        let value = match (reserve.ambient_least, what) {
-            (Some(least), Reserve::Ambient) => format!("{} … {most}", shown.number(least)),
-            (None, Reserve::Ambient) => format!("≤ {most}"),
+        let value = match (what, reserve.ambient_least, reserve.ambient) {
+            (Reserve::Ambient, Some(least), Some(_)) => format!("{} … {most}", shown.number(least)),
+            (Reserve::Ambient, Some(_), None) => format!("≥ {most}"),
+            (Reserve::Ambient, None, _) => format!("≤ {most}"),
             _ => most,
         };
-        let proviso = proviso(reserve.if_estimate.contains(&name), reserve.unless_rating.contains(&name));
+        let holds = |names: &[&str]| {
+            names.contains(&name) || matches!(what, Reserve::Ambient) && names.contains(&"ambient_least")
+        };
+        let proviso = proviso(holds(&reserve.if_estimate), holds(&reserve.unless_rating));
         Some(Reserved { what, key: String::new(), value, proviso })
     });
     let limits = judgement.reserve.limits.iter().flatten().map(|limit| Reserved {

@@ -79,7 +79,7 @@ pub struct EndOverrun {
     pub rests: bool,
 }
 
-/// Largest number of instants examined: four moves by direction and property, three at each of three standstills, eight in
+/// Largest number of instants examined: four moves by direction and property, three at each of three standstills, twelve in
 /// the search about the worst of each direction and about the farthest beyond each end.
 pub const INSTANTS_MOST: u32 = 2 * 4 * MOVES + 3 * RESTS + (3 + 2) * 2 * ROUNDS;
 
@@ -99,9 +99,9 @@ const MOVES: u32 = 4;
 /// Standstills, each at beginning, middle and end.
 const RESTS: u32 = 3;
 
-/// Rounds of the search about the worst instant of a direction; the first step is an eighth of the move, and half as
+/// Rounds of the search about the worst instant; the first step is an eighth of the move, and half as
 /// long in each further round.
-const ROUNDS: u32 = 4;
+const ROUNDS: u32 = 6;
 const FIRST_STEP: f64 = 0.125;
 
 /// Way beyond an end of the motion from which it counts, relative to the range of the motion: less is the following error
@@ -113,6 +113,11 @@ const RUNNING_S: f64 = 0.5;
 
 /// Duration of standstill that ends the examination, besides the closing time of the brake \[s\].
 const RESTED_S: f64 = 0.1;
+
+/// Steps of a stretch in which the instant of the farthest end of travel of a rigid body is searched, and the largest number
+/// of stretches for which it is.
+const FINE: u32 = 128;
+const STRETCHES_FINE: usize = 400;
 
 /// Number of states of the run from which the instants are reached.
 const STATES: u32 = 64;
@@ -166,7 +171,7 @@ impl Seen {
 /// In every move speed, power, and travel and end of travel of a rigid body under friction, load and brake give the first
 /// instants, and a search about the worst of each direction, and about the farthest beyond each end of a motion that
 /// returns, the further ones; from each the run itself goes on until rest. Standstills have beginning, middle and end. In
-/// a cycle longer than 162 s each instant is reached by a run-up of its own.
+/// a cycle longer than 202 s each instant is reached by a run-up of its own.
 ///
 /// With `periods_most` the search ends before it computes more periods of the current loop than that;
 /// [`search_periods`] has the number that suffices.
@@ -260,8 +265,9 @@ impl<'a> Search<'_, 'a> {
                 return Ok(None);
             }
         }
-        for (_, end) in ENDS {
-            if !self.refine(|search| search.farthest(end))? {
+        for (direction, end) in ENDS {
+            // A load that sags at standstill is no reason to leave the move towards the end unexamined.
+            if !self.refine(|search| search.farthest(end, |search, stretch| search.is_of(stretch, direction)))? {
                 return Ok(None);
             }
         }
@@ -319,7 +325,7 @@ impl<'a> Search<'_, 'a> {
         });
         let least_rad = self.ends_rad.map_or(f64::INFINITY, |[lower, upper]| OVERRUN_LEAST * (upper - lower));
         let overruns = ENDS.into_iter().filter_map(|(end, place)| {
-            let seen = self.farthest(place)?;
+            let seen = self.farthest(place, |_, _| true)?;
             let beyond_rad = *seen.beyond_rad.get(place)?;
             (beyond_rad > least_rad).then_some(EndOverrun { end, at_s: seen.at_s, beyond_rad, rests: seen.rests })
         });
@@ -334,10 +340,11 @@ impl<'a> Search<'_, 'a> {
         })
     }
 
-    /// Returns the instant after which the axis is farthest beyond an end of the motion, by the place of the end.
-    fn farthest(&self, end: usize) -> Option<Seen> {
+    /// Returns the instant after which the axis is farthest beyond an end of the motion, by the place of the end, among those
+    /// in some stretches.
+    fn farthest(&self, end: usize, of: impl Fn(&Self, usize) -> bool) -> Option<Seen> {
         let beyond = |seen: &Seen| seen.beyond_rad.get(end).copied().unwrap_or(f64::NEG_INFINITY);
-        let all = self.seen.iter().filter(|seen| beyond(seen).is_finite());
+        let all = self.seen.iter().filter(|seen| of(self, seen.stretch) && beyond(seen).is_finite());
         all.copied().reduce(|most, seen| if beyond(&seen) > beyond(&most) { seen } else { most })
     }
 
@@ -531,12 +538,7 @@ impl Twin<'_> {
                 _ => MotionDirection::Negative,
             };
             let [speed_of, travel, power] = self.properties(time);
-            // Position beyond the end ahead, if the rigid body stopped from here.
-            let beyond = match ends_rad {
-                Some([lower, _]) if speed < 0.0 => lower - point.state[0] + travel,
-                Some([_, upper]) => point.state[0] + travel - upper,
-                None => f64::NEG_INFINITY,
-            };
+            let beyond = ends_rad.map_or(f64::NEG_INFINITY, |ends| self.beyond(time, ends));
             let properties = [speed_of, travel, power, beyond];
             match found.last_mut() {
                 Some(last) if last.direction == direction && segment == point.segment => {
@@ -556,7 +558,36 @@ impl Twin<'_> {
             }
             segment = point.segment;
         }
+        // A move lasts from the standstill before it to that behind it.
+        let bounds: Vec<[f64; 2]> = found.iter().map(|each| [each.from_s, each.until_s]).collect();
+        for (place, stretch) in found.iter_mut().enumerate() {
+            if stretch.direction == MotionDirection::Standstill {
+                continue;
+            }
+            let before = place.checked_sub(1).and_then(|place| bounds.get(place));
+            stretch.from_s = before.map_or(stretch.from_s, |[_, until_s]| *until_s);
+            stretch.until_s = bounds.get(place + 1).map_or(stretch.until_s, |[from_s, _]| *from_s);
+        }
+        if let Some(ends_rad) = ends_rad.filter(|_| found.len() <= STRETCHES_FINE) {
+            for stretch in found.iter_mut().filter(|stretch| stretch.direction != MotionDirection::Standstill) {
+                let long = stretch.until_s - stretch.from_s;
+                for place in 1..FINE {
+                    let time = stretch.from_s + long * f64::from(place) / f64::from(FINE);
+                    let value = self.beyond(time, ends_rad);
+                    if let Some(known) = stretch.properties.get_mut(BEYOND).filter(|known| value > known.0) {
+                        *known = (value, time);
+                    }
+                }
+            }
+        }
         found
+    }
+
+    /// Returns the position beyond the end ahead if the rigid body stopped from an instant \[rad\], negative within.
+    fn beyond(&self, time: f64, [lower, upper]: [f64; 2]) -> f64 {
+        let [position, speed, _] = self.course.at(time).state;
+        let [_, travel, _] = self.properties(time);
+        if speed < 0.0 { lower - position + travel } else { position + travel - upper }
     }
 
     /// Returns speed, travel of the rigid body after the event, and power of the motion at an instant; at rest the travel
