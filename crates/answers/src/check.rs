@@ -133,7 +133,7 @@ pub struct Explained {
     /// Result of the check.
     #[serde(flatten)]
     pub check: Check,
-    /// What the check compares, as text.
+    /// Value and limit that the check compares, as text.
     pub meaning: &'static str,
     /// Derivation of its figures.
     pub derivation: Derivation,

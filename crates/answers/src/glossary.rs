@@ -36,9 +36,9 @@ pub struct GlossaryCheck {
     pub en: String,
     /// German title.
     pub de: String,
-    /// What the check compares, in English.
+    /// Value and limit that the check compares, in English.
     pub meaning_en: &'static str,
-    /// What the check compares, in German.
+    /// Value and limit that the check compares, in German.
     pub meaning_de: &'static str,
 }
 

@@ -34,6 +34,7 @@ mod moves;
 mod plane;
 mod preview;
 mod progress;
+mod proposals;
 mod reading;
 mod recorded_template;
 mod segment_handles;
@@ -80,7 +81,7 @@ pub use tolerance::{Assessment, Draw, SAMPLES_MOST, SAMPLES_USUAL, Sampling, ass
 // Data of pictures.
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use flange::flange_course;
-pub use gearing_proposals::{GEARING_INSTANTS_MOST, GearingProposal, Proposals};
+pub use gearing_proposals::{GEARING_INSTANTS_MOST, GearingProposal};
 pub use incoming::{
     ColumnOutliers, ExaminedRecording, FilesWithIncoming, IncomingFile, SmoothingEffect, smoothing_effects, window_text,
 };
@@ -92,6 +93,7 @@ pub use motion::Spurious;
 pub use moves::{Move, Moves, moves};
 pub use plane::{Plane, curve_rows, plane, plane_of};
 pub use preview::{recording_preview, recording_roles};
+pub use proposals::Proposals;
 pub use recording::{
     Along, ColumnSpec, FILE_BYTES_MAX, Layout, MEMORY_USUAL, PREVIEW_COLUMNS_MAX, Preview, PreviewColumn,
     Role as ColumnRole,

@@ -1,24 +1,23 @@
 //! Sentences and figures of results, shared by terminal and page.
 
+mod changes;
 mod tolerances;
 
 pub use crate::explain::{node_amount, number_and_unit, number_text, trust};
 pub use crate::sheet::{sheet_value_text, uncovered_mark};
 pub use crate::sizing_use::by_importance;
+pub use changes::{law_text, mend_text, reach_text};
 pub use tolerances::{
     conditional_text, dominating, passing_text, sampling_text, share_text, tolerance_heads, tolerance_lines,
     tolerance_rows, worst_text,
 };
 
-use crate::catalogue_reserve::CatalogueReach;
-use crate::gearing_proposals::{GearingProposal, LawProposal};
 use crate::limits::{NeededLimit, limits_needed};
 use crate::sizing_use::{Candidate, Objection, Reason, Sizing};
 use crate::torsion::TorsionAnswer;
 use actuator::BatteryLife;
 use axis::RecordingRead;
 use configurator::{BrokenRule, ProductId, Unmet};
-use project::SegmentLaw;
 use quantities::unit::{
     ARCMINUTE, DEGREE_CELSIUS, HOUR, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, SECOND,
     YEAR,
@@ -27,9 +26,7 @@ use quantities::{
     Language, Measure, ThermodynamicTemperature, Time, Unit, format_number, format_significant, with_symbol,
 };
 use recording::{ColumnRead, KnownBy};
-use sizing::{
-    Amount, AxisChange, Check, CheckId, Demand, Fit, Proviso, Reach, Reserve, SAMPLES_ANEW, Unsought, Verdict,
-};
+use sizing::{Amount, Check, CheckId, Demand, Fit, Proviso, Reach, Reserve, SAMPLES_ANEW, Unsought, Verdict};
 use words::{
     Provisos, check_title, conditions_text, describe_rule, encoding_guess, grade_word, marked, percent_text,
     proviso_text, records, source_text, symbol_term, terminal, title_of_check, unmet_text, unpadded,
@@ -456,62 +453,6 @@ pub fn reserve_condition(reserve: &Reserve, candidate: &Candidate<'_>, language:
     let has_value = load_factor.is_some() || payload_factor.is_some() || cycle_time.is_some() || ambient.is_some();
     let count = candidate.unmade().len();
     (has_value && count > 0).then(|| terminal::only_by_the_checks_made(&count, language))
-}
-
-/// Describes a value with which an actuator fits: its name and key, or a stage to add, with the code.
-#[must_use]
-pub fn mend_text(mend: &GearingProposal, language: Language) -> String {
-    let value = || unpadded(mend.unit.from_si(mend.si), 5, language);
-    let what = if mend.adds_stage() {
-        words::stage_by_its_keys(mend.unit.from_si(mend.si), mend.changes_flange_loads, language)
-    } else {
-        let name = words::purpose_of(&mend.path, language);
-        format!("{name} {} ({})", with_symbol(&value(), mend.unit.symbol_in(language)), mend.path)
-    };
-    match proviso_text(mend.proviso.estimate, mend.proviso.rating, language) {
-        Some(proviso) => format!("{what}: {}, {proviso}", mend.code),
-        None => format!("{what}: {}", mend.code),
-    }
-}
-
-/// Describes a change of load or cycle time with which an actuator fits, with its code.
-#[must_use]
-pub fn reach_text(reach: &CatalogueReach, language: Language) -> String {
-    let value = format_significant(reach.value, 4, language);
-    let what = match reach.change {
-        AxisChange::Payload => terminal::payload_factor(&value, language),
-        AxisChange::Load => terminal::load_factor(&value, language),
-        AxisChange::CycleTime => terminal::cycle_time(&value, language),
-    };
-    match proviso_text(reach.proviso.estimate, reach.proviso.rating, language) {
-        Some(proviso) => format!("{what}: {}, {proviso}", reach.code),
-        None => format!("{what}: {}", reach.code),
-    }
-}
-
-/// Number of keys up to which a proposal writes them into the call.
-const KEYS_IN_A_CALL: usize = 4;
-
-/// Describes a law in place of the open ones with which an actuator fits, with the options of a call or the value in the
-/// file.
-#[must_use]
-pub fn law_text(proposal: &LawProposal, language: Language) -> String {
-    let law = SegmentLaw::Law(proposal.law);
-    let is_short =
-        proposal.paths.len() <= KEYS_IN_A_CALL && proposal.paths.iter().all(|path| path.starts_with("motion["));
-    let call = || {
-        let options = proposal.paths.iter().map(|path| {
-            let key = path.replace('[', ".").replace(']', "");
-            format!("--set {key}={}", law.id())
-        });
-        options.collect::<Vec<_>>().join(" ")
-    };
-    let how = if is_short { call() } else { format!("law = \"{}\"", law.id()) };
-    let what = format!("{} ({how})", words::law_text(law, language));
-    match proviso_text(proposal.proviso.estimate, proposal.proviso.rating, language) {
-        Some(proviso) => format!("{what}: {}, {proviso}", proposal.code),
-        None => format!("{what}: {}", proposal.code),
-    }
 }
 
 /// Describes the changes that were not searched, the reason, and the remedy.

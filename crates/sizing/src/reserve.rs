@@ -1,11 +1,14 @@
 //! Permissible changes of an axis until an actuator just fits: load, payload, cycle time, ambient temperature.
 
+mod ambient;
+
 use crate::axis::Axis;
 use crate::brake_times::carried;
 use crate::check::{Check, CheckId, Fit, Verdict};
 use crate::judge::{Judgement, Proviso, Scope, judge};
 use crate::observer::{StepObserver, Unobserved, finished};
 use actuator::{HeatModel, Parameters};
+use ambient::ambient_region;
 use numeric::border;
 use quantities::unit::{DEGREE_CELSIUS, ONE, SECOND};
 use quantities::{Mass, Measure, ThermodynamicTemperature, Time, Unit};
@@ -84,14 +87,8 @@ const TEMPERATURE_DIGIT: f64 = 0.01;
 /// region is narrower than the digit.
 const TRIALS: u32 = 3;
 
-/// Range of ambient temperatures, −20 °C to 80 °C \[K\].
-const AMBIENT_RANGE: (f64, f64) = (253.15, 353.15);
-
 /// Ambient temperature of an actuator without a heat model \[K\].
 const AMBIENT_USUAL: f64 = 313.15;
-
-/// Step of the search \[K\].
-const AMBIENT_STEP: f64 = 5.0;
 
 /// Searches the reserves of an actuator for an axis, with the checks that judge it.
 ///
@@ -137,7 +134,8 @@ pub fn reserve_watched<W: StepObserver>(
             worse_above: false,
             ..Search { least_digit: TEMPERATURE_DIGIT, ..Search::of(&DEGREE_CELSIUS, true, &at) }
         };
-        let [least, most] = ambient_region(present_k, |kelvin| Ok(excess(&upper.judged(kelvin)?)))?.unwrap_or_default();
+        let [least, most] =
+            ambient_region(present_k, NARROW, |kelvin| Ok(excess(&upper.judged(kelvin)?)))?.unwrap_or_default();
         let kelvin = ThermodynamicTemperature::from_si;
         let ends = [
             least.map_or(Ok(None), |border| lower.shown(border, kelvin))?,
@@ -379,45 +377,6 @@ fn largest<S>(now: f64, excess: impl Fn(f64) -> Result<f64, S>) -> Result<Option
 /// Returns the step of the search at a factor of one or more.
 fn step(factor: f64) -> f64 {
     STEPS.iter().find(|(until, _)| factor < *until).map_or(1.1, |(_, step)| *step)
-}
-
-/// Returns both sides of the ends of the ambient temperatures at which the actuator fits \[K\], the lower and the upper one:
-/// those about the present temperature, or the nearest ones, below it first. An end outside the range is `None`: no check that
-/// was made depends on the temperature there. `None` if it fits at no temperature of the range.
-#[allow(clippy::type_complexity, reason = "two sides of two ends")]
-fn ambient_region<S>(
-    present: f64,
-    mut excess: impl FnMut(f64) -> Result<f64, S>,
-) -> Result<Option<[Option<(f64, f64)>; 2]>, S> {
-    let (low, high) = AMBIENT_RANGE;
-    let mut inside = (present, excess(present)?);
-    if inside.1 > 0.0 {
-        let mut nearest = None;
-        for sense in [-1.0, 1.0] {
-            let mut outside = inside;
-            while nearest.is_none() && (low..=high).contains(&(outside.0 + sense * AMBIENT_STEP)) {
-                let kelvin = outside.0 + sense * AMBIENT_STEP;
-                let here = (kelvin, excess(kelvin)?);
-                if here.1 <= 0.0 { nearest = Some(here) } else { outside = here }
-            }
-        }
-        let Some(found) = nearest else { return Ok(None) };
-        inside = found;
-    }
-    let mut ends = [None; 2];
-    for (sense, end) in [-1.0, 1.0].into_iter().zip(&mut ends) {
-        let mut last = inside;
-        while (low..=high).contains(&last.0) {
-            let kelvin = last.0 + sense * AMBIENT_STEP;
-            let here = (kelvin, excess(kelvin)?);
-            if here.1 > 0.0 {
-                *end = Some(border(&mut excess, last, here, NARROW)?);
-                break;
-            }
-            last = here;
-        }
-    }
-    Ok(Some(ends))
 }
 
 impl Axis {

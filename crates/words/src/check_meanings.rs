@@ -1,4 +1,4 @@
-//! What each check compares, in a sentence.
+//! Meaning of each check: the value and the limit that it compares, in a sentence.
 
 use crate::pick;
 use quantities::Language;
@@ -46,7 +46,7 @@ pub fn check_meaning(id: CheckId, language: Language) -> &'static str {
         ),
         CheckId::Voltage => (
             "The largest voltage that the motor needs at its terminals, against the voltage that the drive makes from the DC link.",
-            "Die größte Spannung, die der Motor an den Klemmen braucht, gegen die Spannung, die der Regler aus dem Zwischenkreis bildet.",
+            "Die größte Spannung, die der Motor an den Klemmen braucht, gegen die Spannung, die der Servoregler aus dem Zwischenkreis bildet.",
         ),
         CheckId::InertiaRatio => (
             "The moment of inertia of the load, against three times that of the actuator at its output: a recommendation for stiff control.",
@@ -142,7 +142,7 @@ pub fn check_meaning(id: CheckId, language: Language) -> &'static str {
         ),
         CheckId::OverloadI2t => (
             "The square of the current, averaged over the time constant of the overload protection, against that of the continuous stall current: whether the drive would report an overload.",
-            "Das mit der Zeitkonstante des Überlastschutzes gemittelte Stromquadrat gegen das des Stillstands-Dauerstroms: ob der Regler Überlast meldet.",
+            "Das mit der Zeitkonstante des Überlastschutzes gemittelte Stromquadrat gegen das des Stillstands-Dauerstroms: ob der Servoregler Überlast meldet.",
         ),
         CheckId::GearMeanInputSpeed => (
             "The mean speed at the input of the gear, against the limit of its lubrication.",

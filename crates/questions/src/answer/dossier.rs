@@ -6,7 +6,7 @@ use super::inputs::{inputs_of_axis, mechanism, tables};
 use super::judged::{judgement, sizing};
 use super::operation::{data_sheet, operation};
 use crate::fingerprint::{catalogue_fingerprint, project_fingerprint};
-use crate::gearing_proposals::Proposals;
+use crate::proposals::Proposals;
 use crate::sizing_use::{Candidate, Sizing, by_importance};
 use crate::texts::{self, Rejections};
 use crate::tolerance::Assessment;

@@ -7,10 +7,9 @@ use super::{
 };
 use crate::answer;
 pub use crate::catalogue_reserve::{CatalogueReach, catalogue_reserve};
-pub use crate::gearing_proposals::{
-    GearingProposal, LawProposal, Proposals, SharedLoad, gearing_proposals, law_proposal, shared_load,
-};
+pub use crate::gearing_proposals::{GearingProposal, SharedLoad, gearing_proposals, shared_load};
 use crate::progress::Progress;
+pub use crate::proposals::{LawProposal, Proposals, law_proposal};
 use crate::sizing_use::{Candidate, Refusal, Rejected, Sizing, size_watched};
 use crate::tolerance::{Assessment, Draw, SAMPLES_MOST, SEED_USUAL, assess_watched};
 use axis::AxisProject;

@@ -21,7 +21,7 @@ fn text(sections: &str, [there, back]: [&str; 2], distance: f64, time: f64) -> S
     )
 }
 
-/// Of every mechanism whose cycle is a little too short, the proposed law written into the file gives the named actuator
+/// The law proposed for every mechanism whose cycle is a little too short, written into the file gives the named actuator
 /// with its verdict, and no smoother one an actuator; a law that is stated stays.
 #[test]
 fn a_proposed_law_fits_as_it_is_written_and_no_smoother_one_does() {

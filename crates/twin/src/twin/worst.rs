@@ -1,12 +1,16 @@
 //! Instant of an event that the call leaves open: that with the worst effect.
 
+mod moves;
+
 use super::start::RUN_UP_MOST_S;
 use super::{PERIOD_S, Twin};
 use crate::control::POSITION_EVERY;
 use crate::drive::Phase;
-use crate::scenario::{EventKind, Part, Reaction, Scenario, ScenarioId};
+use crate::scenario::{EventKind, Part, Scenario, ScenarioId};
 use crate::setup::{Fault, Setup};
 use crate::summary::Gathered;
+pub use moves::MotionDirection;
+use moves::{AT_REST, BEYOND, EXAMINED_S, POWER, SPEED, Stretch, TRAVEL};
 use quantities::identified;
 
 identified! {
@@ -21,19 +25,6 @@ identified! {
         Link = "link_voltage",
         /// Speed of the motion at the event, if the event has no effect [rad/s].
         Speed = "speed",
-    }
-}
-
-identified! {
-    /// Direction of the motion at an event.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-    pub enum MotionDirection {
-        /// The position increases.
-        Positive = "positive",
-        /// The position decreases.
-        Negative = "negative",
-        /// The setpoint is at rest.
-        Standstill = "standstill",
     }
 }
 
@@ -86,9 +77,6 @@ pub const INSTANTS_MOST: u32 = 2 * 4 * MOVES + 3 * RESTS + (3 + 2) * 2 * ROUNDS;
 /// Number of instants below which a search is not begun.
 const INSTANTS_LEAST: u32 = 12;
 
-/// Longest time after the event that is examined \[s\].
-const EXAMINED_S: f64 = 2.0;
-
 /// Longest cycle that is run to reach its instants \[s\]: in a longer one every instant has its own run-up, of at most
 /// [`RUN_UP_MOST_S`], which is less work.
 const RUN_WHOLE_S: f64 = RUN_UP_MOST_S * INSTANTS_MOST as f64;
@@ -114,11 +102,6 @@ const RUNNING_S: f64 = 0.5;
 /// Duration of standstill that ends the examination, besides the closing time of the brake \[s\].
 const RESTED_S: f64 = 0.1;
 
-/// Steps of a stretch in which the instant of the farthest end of travel of a rigid body is searched, and the largest number
-/// of stretches for which it is.
-const FINE: u32 = 128;
-const STRETCHES_FINE: usize = 400;
-
 /// Number of states of the run from which the instants are reached.
 const STATES: u32 = 64;
 
@@ -127,15 +110,6 @@ const AT_ONCE: u64 = 1024;
 
 /// Periods between two evaluations of the standstill: 10 ms.
 const CHUNK: u64 = 160;
-
-/// Stretch of the motion in one direction, or at rest, within one segment.
-struct Stretch {
-    direction: MotionDirection,
-    from_s: f64,
-    until_s: f64,
-    /// Largest values of the properties, with their instants.
-    properties: [(f64, f64); 4],
-}
 
 /// An examined instant.
 #[derive(Clone, Copy, Debug)]
@@ -471,15 +445,6 @@ impl<'a> Search<'_, 'a> {
     }
 }
 
-/// Places of the properties of a stretch.
-const SPEED: usize = 0;
-const TRAVEL: usize = 1;
-const POWER: usize = 2;
-const BEYOND: usize = 3;
-
-/// Speed below which the setpoint is at rest [rad/s].
-const AT_REST: f64 = 1e-9;
-
 /// Returns the first period of the position loop at or after a time.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a time of the run")]
 fn tick_of(time_s: f64) -> u64 {
@@ -523,109 +488,5 @@ impl Twin<'_> {
             && !self.gathered.is_stopped()
             && self.state.x.motor_rad_s.abs() <= 1.1 * self.machine.speed_max
             && !self.has(EventKind::Diverged)
-    }
-
-    /// Returns the stretches of the first cycle, with the instants of their largest properties.
-    fn stretches(&self, ends_rad: Option<[f64; 2]>) -> Vec<Stretch> {
-        let mut found: Vec<Stretch> = Vec::new();
-        let mut segment = usize::MAX;
-        for time in self.course.instants() {
-            let point = self.course.at(time);
-            let speed = point.state[1];
-            let direction = match speed {
-                _ if speed.abs() < AT_REST => MotionDirection::Standstill,
-                _ if speed > 0.0 => MotionDirection::Positive,
-                _ => MotionDirection::Negative,
-            };
-            let [speed_of, travel, power] = self.properties(time);
-            let beyond = ends_rad.map_or(f64::NEG_INFINITY, |ends| self.beyond(time, ends));
-            let properties = [speed_of, travel, power, beyond];
-            match found.last_mut() {
-                Some(last) if last.direction == direction && segment == point.segment => {
-                    last.until_s = time;
-                    for (known, value) in last.properties.iter_mut().zip(properties) {
-                        if value > known.0 {
-                            *known = (value, time);
-                        }
-                    }
-                }
-                _ => found.push(Stretch {
-                    direction,
-                    from_s: time,
-                    until_s: time,
-                    properties: properties.map(|value| (value, time)),
-                }),
-            }
-            segment = point.segment;
-        }
-        // A move lasts from the standstill before it to that behind it.
-        let bounds: Vec<[f64; 2]> = found.iter().map(|each| [each.from_s, each.until_s]).collect();
-        for (place, stretch) in found.iter_mut().enumerate() {
-            if stretch.direction == MotionDirection::Standstill {
-                continue;
-            }
-            let before = place.checked_sub(1).and_then(|place| bounds.get(place));
-            stretch.from_s = before.map_or(stretch.from_s, |[_, until_s]| *until_s);
-            stretch.until_s = bounds.get(place + 1).map_or(stretch.until_s, |[from_s, _]| *from_s);
-        }
-        if let Some(ends_rad) = ends_rad.filter(|_| found.len() <= STRETCHES_FINE) {
-            for stretch in found.iter_mut().filter(|stretch| stretch.direction != MotionDirection::Standstill) {
-                let long = stretch.until_s - stretch.from_s;
-                for place in 1..FINE {
-                    let time = stretch.from_s + long * f64::from(place) / f64::from(FINE);
-                    let value = self.beyond(time, ends_rad);
-                    if let Some(known) = stretch.properties.get_mut(BEYOND).filter(|known| value > known.0) {
-                        *known = (value, time);
-                    }
-                }
-            }
-        }
-        found
-    }
-
-    /// Returns the position beyond the end ahead if the rigid body stopped from an instant \[rad\], negative within.
-    fn beyond(&self, time: f64, [lower, upper]: [f64; 2]) -> f64 {
-        let [position, speed, _] = self.course.at(time).state;
-        let [_, travel, _] = self.properties(time);
-        if speed < 0.0 { lower - position + travel } else { position + travel - upper }
-    }
-
-    /// Returns speed, travel of the rigid body after the event, and power of the motion at an instant; at rest the travel
-    /// of the unbraked load.
-    fn properties(&self, time: f64) -> [f64; 3] {
-        let point = self.course.at(time);
-        let [position, speed, acceleration] = point.state;
-        let Some(local) = self.load.linearised(point.segment, position, speed, acceleration) else {
-            return [speed.abs(), 0.0, 0.0];
-        };
-        let inertia = self.plant.inertia_kgm2 + local.inertia_kgm2;
-        let load_nm = local.torque(position, speed);
-        let way = if speed.abs() < AT_REST { -load_nm.signum() } else { speed.signum() };
-        let rubbed = self.plant.friction_nm + self.plant.viscous_nms * speed.abs() + local.coulomb_nm;
-        let free = (-way * load_nm - rubbed) / inertia;
-        let power = speed * (inertia * acceleration + load_nm) + speed.abs() * rubbed;
-        let reaction = self.setup.scenario.reaction;
-        let is_stop = self.setup.scenario.id == ScenarioId::EmergencyStop;
-        let travel = match self.machine.brake {
-            _ if is_stop && reaction == Reaction::Ramp && self.limits.ramp_rad_s2 > 0.0 => {
-                speed * speed / (2.0 * self.limits.ramp_rad_s2)
-            }
-            Some(brake) if !(is_stop && reaction == Reaction::Coast) => {
-                let [closing, at_closing] = glided(speed.abs(), free, brake.closing_s);
-                closing + glided(at_closing, free - brake.torque_nm / inertia, EXAMINED_S)[0]
-            }
-            _ => glided(speed.abs(), free, EXAMINED_S)[0],
-        };
-        [speed.abs(), travel, power]
-    }
-}
-
-/// Returns way and final speed of a body under constant acceleration, until it stops or the time ends.
-fn glided(speed: f64, acceleration: f64, time: f64) -> [f64; 2] {
-    if speed + acceleration * time <= 0.0 {
-        let way = if acceleration < 0.0 { speed * speed / (-2.0 * acceleration) } else { 0.0 };
-        [way, 0.0]
-    } else {
-        [speed * time + 0.5 * acceleration * time * time, speed + acceleration * time]
     }
 }
