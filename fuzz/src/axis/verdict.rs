@@ -4,6 +4,7 @@ use super::Case;
 use project::inputs;
 use quantities::Measure;
 use questions::{Candidate, CheckId, ProductId, Verdict, check, reserve_of};
+use sizing::Note;
 
 /// Checks that compared values are finite, and that the candidate fits if and only if no check and no requirement
 /// objects.
@@ -14,8 +15,10 @@ pub(crate) fn candidate(candidate: &Candidate<'_>) {
         let decided = matches!(check.verdict, Verdict::Pass | Verdict::Fail);
         // Where no speed is held, no distance to a resonance exists; a remark says so.
         let no_speed_held = check.id == CheckId::ResonanceSpeed && !check.notes.is_empty();
-        assert!(check.value.is_some() || !judged || no_speed_held, "{check:?}");
-        assert!(check.limit.is_some() || !decided, "{check:?}");
+        // A bearing without load has neither a safety nor a life that ends; a remark says so.
+        let unloaded = check.verdict == Verdict::Pass && check.notes.contains(&Note::NoBearingLoad);
+        assert!(check.value.is_some() || !judged || no_speed_held || unloaded, "{check:?}");
+        assert!(check.limit.is_some() || !decided || unloaded, "{check:?}");
         for figure in [check.value, check.limit] {
             assert!(figure.is_none_or(|figure| figure.si.is_finite() && figure.value().is_finite()), "{check:?}");
         }
