@@ -14,6 +14,8 @@ pub(crate) struct CommandAnswer {
     pub(crate) data: String,
     /// Messages for stderr.
     pub(crate) talk: String,
+    /// Messages for stderr below the data: calls that go on from the answer.
+    pub(crate) next: String,
     /// Exit code: 0 fits or answered, 1 does not fit, 2 not answered.
     pub(crate) code: u8,
 }
@@ -111,6 +113,7 @@ impl CommandAnswer {
         let mut out = anstream::stdout();
         let mut pieces = pieces(&self.data);
         let written = pieces.try_for_each(|piece| out.write_all(safe(piece).as_bytes())).and_then(|()| out.flush());
+        let _ = anstream::stderr().write_all(safe(&self.next).as_bytes());
         match written {
             Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
                 let _ = writeln!(anstream::stderr(), "antrieb: stdout: {}", file_trouble(&error, language));

@@ -35,7 +35,7 @@ pub(crate) struct Call<'m> {
     pub(crate) language: Language,
     files: Vec<File>,
     /// Remark on each value that the call states in place of a file.
-    changes: String,
+    pub(crate) changes: String,
     /// Products that are offered.
     catalogue: Arc<dyn Catalogue>,
 }

@@ -29,7 +29,7 @@ pub(crate) fn unanswered(why: &Unanswered, as_json: bool, language: Language) ->
         said.push(closing(why.faults(waited_s(), language).errors.len(), language));
     }
     let data = if as_json { why.record(waited_s(), language) } else { String::new() };
-    CommandAnswer { data, talk: said.concat(), code: 2 }
+    CommandAnswer { data, talk: said.concat(), code: 2, ..CommandAnswer::none() }
 }
 
 /// Returns `true` if faults of a text are among the reasons.

@@ -2,11 +2,13 @@
 
 use crate::answer::CommandAnswer;
 use crate::call::Call;
+use crate::command::typed::typed;
 use crate::reserve::{assumptions_about, assumptions_text, reserve_text};
 use crate::table::{Align, TextTable, labelled, paragraph, width};
 use crate::waiting::progress;
 use crate::{moves, report, tolerance};
 use anstyle::{AnsiColor, Style};
+use axis::Assumption;
 use quantities::unit::{KILOGRAM, NEWTON_METRE, REVOLUTION_PER_MINUTE};
 use quantities::{Language, Measure, format_number, seen};
 use questions::list::check::Verification;
@@ -18,6 +20,7 @@ use questions::texts::{
     standing_text, unit_text, verdict_of, verdict_text,
 };
 use questions::{Candidate, Check, Demand, Objection, Reserve, Sizing, Verdict};
+use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use words::{
@@ -52,15 +55,49 @@ pub(crate) fn size(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnsw
     if inquiry.sources.len() > 1 {
         return Ok(CommandAnswer { talk, ..side_by_side(inquiry, &args, language)? });
     }
+    let best: RefCell<Option<Best>> = RefCell::new(None);
     let found = inquiry.each(&axes, |project| {
         let found = args.ranking(project, progress())?;
+        best.replace(found.sizing.answer().map(|answer| Best {
+            code: answer.id.to_string(),
+            check: answer.governing().map(|check| check.id.id()),
+            has_open_law: project.assumptions.contains(&Assumption::LawOpen),
+        }));
         // The changes with which the actuator with the smallest excess would fit; the long list does not show them.
         let nearest = found.sizing.nearest_miss().filter(|_| !args.all);
         let reserve =
             nearest.map(|near| questions::list::check::reserve_within(project, near, progress())).transpose()?;
         Ok((sizing_text(&found, reserve.as_ref(), args.all, language), found.sizing.fits()))
     })?;
-    Ok(CommandAnswer { talk, ..CommandAnswer::of_axes(found) })
+    let is_plain = axes.len() == 1 && call.changes.is_empty() && !args.all;
+    let next = best.into_inner().filter(|_| is_plain).and_then(|best| next_calls(&best, inquiry, args.axis.as_deref()));
+    let next = next.map(|calls| format!("\n{}:\n  {}\n", terminal::next_calls(language), calls.join("\n  ")));
+    Ok(CommandAnswer { talk, next: next.unwrap_or_default(), ..CommandAnswer::of_axes(found) })
+}
+
+/// The answer of a ranking, for the calls that go on from it.
+struct Best {
+    code: String,
+    /// Identifier of its governing check.
+    check: Option<&'static str>,
+    has_open_law: bool,
+}
+
+/// Returns the calls that go on from a ranking: the derivation of the governing check, events and the temperatures of a day,
+/// the settings of the drive, the report, and the laws of motion if none is decided; `None` if the project is no file.
+fn next_calls(best: &Best, inquiry: &Inquiry<'_>, axis: Option<&str>) -> Option<Vec<String>> {
+    let [source] = inquiry.sources.as_slice() else { return None };
+    let project = Some(&*source.name).filter(|name| name.ends_with(".toml") && !name.starts_with('('))?;
+    let axis: Vec<&str> = axis.into_iter().flat_map(|axis| ["--axis", axis]).collect();
+    let of = |words: &[&str]| typed([&["antrieb"][..], words, &axis].concat());
+    let mut calls: Vec<String> = best.check.iter().map(|check| of(&["explain", project, "--check", check])).collect();
+    if best.has_open_law {
+        calls.push(of(&["sweep", project, "--vary", "law=polynomial_5,modified_sine,trapezoid"]));
+    }
+    calls.push(of(&["simulate", project, "--days", "5", "--hours-per-day", "16"]));
+    calls.push(typed(["antrieb", "commission", &best.code, "--for", "sinamics"]));
+    calls.push(of(&["report", project, "--out", "report.pdf"]));
+    Some(calls)
 }
 
 /// Returns the best actuators of several projects, a row for each axis.

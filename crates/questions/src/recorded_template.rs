@@ -51,22 +51,40 @@ pub fn begins_with_motion(kind: &str) -> bool {
     kind != MANUAL && template_kinds().any(|known| known == kind)
 }
 
+/// Returns `true` if a column has a unit of a dimension.
+fn is_of(column: &PreviewColumn, dimension: Dimension) -> bool {
+    column.unit.as_ref().is_some_and(|unit| {
+        let unit = unit.trim_matches(['[', ']', '(', ')']);
+        Unit::of_dimension(dimension, unit).is_some()
+    })
+}
+
+/// Returns the column of a role: the one recognised by its name, else the only other one with a unit of the role. A motion is
+/// taken by its unit only where no name states one, a position before a speed, and a torque in Nm alone.
+fn column_of(preview: &Preview, role: Role) -> Option<&PreviewColumn> {
+    let named = |role: Role| preview.columns.iter().find(|column| column.role == Some(role));
+    let by_unit = |dimensions: &[Dimension]| {
+        let has_unit = |column: &&PreviewColumn| dimensions.iter().any(|dimension| is_of(column, *dimension));
+        let mut others = preview.columns.iter().filter(|column| column.role.is_none()).filter(has_unit);
+        others.next().filter(|_| others.next().is_none())
+    };
+    let is_named = || named(Role::Position).or_else(|| named(Role::Speed)).is_some();
+    named(role).or_else(|| match role {
+        Role::Time => by_unit(role.dimensions()),
+        Role::Position | Role::Speed if is_named() => None,
+        Role::Position => by_unit(role.dimensions()),
+        Role::Speed if column_of(preview, Role::Position).is_some() => None,
+        Role::Speed => by_unit(role.dimensions()),
+        Role::Torque => by_unit(&[Dimension::Torque]),
+    })
+}
+
 /// Returns the kind that fits the columns of a recording.
 fn base(preview: &Preview) -> &'static str {
-    let is_of = |column: &PreviewColumn, dimension| {
-        column.unit.as_ref().is_some_and(|unit| {
-            let unit = unit.trim_matches(['[', ']', '(', ')']);
-            Unit::of_dimension(dimension, unit).is_some()
-        })
-    };
-    let is_line = |column: &PreviewColumn| match column.role {
-        Some(Role::Position) => is_of(column, Dimension::Length),
-        Some(Role::Speed) => is_of(column, Dimension::Velocity),
-        Some(Role::Time | Role::Torque) | None => false,
-    };
-    if preview.columns.iter().any(is_line) {
+    let is_along = |role: Role, dimension| column_of(preview, role).is_some_and(|column| is_of(column, dimension));
+    if is_along(Role::Position, Dimension::Length) || is_along(Role::Speed, Dimension::Velocity) {
         "belt"
-    } else if preview.columns.iter().any(|column| column.role == Some(Role::Torque)) {
+    } else if column_of(preview, Role::Torque).is_some() {
         "joint"
     } else {
         "load"
@@ -77,8 +95,11 @@ fn base(preview: &Preview) -> &'static str {
 fn segment(preview: &Preview, named: &str, language: Language) -> String {
     let quoted = |text: &str| format!("{text:?}");
     let mut lines = vec!["[[motion]]".to_owned(), "law = \"recorded\"".to_owned(), format!("file = {}", quoted(named))];
-    let unused: Vec<&str> =
-        preview.columns.iter().filter(|column| column.role.is_none()).map(|column| column.heading.as_str()).collect();
+    let is_used = |column: &PreviewColumn| {
+        Role::ALL.iter().any(|role| column_of(preview, *role).is_some_and(|used| std::ptr::eq(used, column)))
+    };
+    let is_unused = |column: &&PreviewColumn| !is_used(column);
+    let unused: Vec<&str> = preview.columns.iter().filter(is_unused).map(|column| column.heading.as_str()).collect();
     for role in Role::ALL {
         let key = match role {
             Role::Time => "time",
@@ -86,8 +107,11 @@ fn segment(preview: &Preview, named: &str, language: Language) -> String {
             Role::Speed => "speed",
             Role::Torque => "torque",
         };
-        let column = preview.columns.iter().find(|column| column.role == Some(role));
+        let column = column_of(preview, role);
         lines.push(match column {
+            Some(column) if column.role.is_none() => {
+                format!("columns.{key} = {}  # {}", quoted(&column.name), recorded_template::by_its_unit(language))
+            }
             Some(column) => format!("columns.{key} = {}", quoted(&column.name)),
             None => {
                 let remark = match unused.as_slice() {

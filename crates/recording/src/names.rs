@@ -22,7 +22,8 @@ pub(crate) const COMMANDED: &[&str] = &[
     "demand",
 ];
 /// Words without meaning for the quantity.
-const FILLING: &[&str] = &["axis", "ax", "achse", "joint", "gelenk", "value", "val", "wert"];
+const FILLING: &[&str] =
+    &["axis", "ax", "achse", "joint", "gelenk", "value", "val", "wert", "log", "logger", "logged", "sensor", "signal"];
 
 /// Maximum length of the name of a quantity, which bounds the work per column.
 const NAME_BYTES: usize = 64;
@@ -105,6 +106,7 @@ impl Named {
         let own = self.bare.rsplit(['.', ':', '!', '|', '\\', '/']).find(|part| !part.trim().is_empty())?;
         let mut words: Vec<String> = words(own).into_iter().flat_map(parted).collect();
         let _ = words.drain(..parameter_number(&words));
+        let _ = words.drain(..axis_label(&words));
         let is_commanded = words.iter().any(|word| COMMANDED.contains(&word.as_str()));
         let core: String = words
             .iter()
@@ -146,6 +148,17 @@ fn parameter_number(words: &[String]) -> usize {
     if is_parameter && letter.is_ascii() { 1 + numbers } else { 0 }
 }
 
+/// Returns the number of words of the label of an axis before a name, a letter with a number of one or two digits: `J3 torque`,
+/// `A1 Position`, `X2 pos`. Without a further word it is the name itself, `q1`.
+fn axis_label(words: &[String]) -> usize {
+    let is_number = |word: &String| word.len() <= 2 && word.bytes().all(|byte| byte.is_ascii_digit());
+    let is_name = |word: &String| word.len() > 1 && word.bytes().all(|byte| byte.is_ascii_alphabetic());
+    match words {
+        [letter, number, rest @ ..] if letter.len() == 1 && is_number(number) && rest.iter().any(is_name) => 2,
+        _ => 0,
+    }
+}
+
 /// Returns `true` for the index of an object of a drive profile (CiA 402), `6064h`, or its four digits without the letter.
 fn is_object_index(word: &str, has_letter: bool) -> bool {
     let digits = if has_letter { word.strip_suffix('h') } else { Some(word) };
@@ -153,9 +166,9 @@ fn is_object_index(word: &str, has_letter: bool) -> bool {
 }
 
 /// Words before the number or the letter of an axis or a channel.
-const AXES: [&str; 14] = [
-    "axis", "ax", "achse", "joint", "gelenk", "drive", "antrieb", "motor", "servo", "link", "channel", "ch", "kanal",
-    "robot",
+const AXES: [&str; 15] = [
+    "axis", "ax", "achse", "joint", "j", "gelenk", "drive", "antrieb", "motor", "servo", "link", "channel", "ch",
+    "kanal", "robot",
 ];
 
 /// Returns the word for an axis or a channel in a name and its number or letter: `axis1.pos`, `Achse_X.Ist-Lage`, `joint_2/effort`; of
@@ -397,6 +410,30 @@ mod tests {
             let named = Named::with_share(written);
             assert_eq!((named.bare.as_str(), named.unit.as_deref()), (bare, unit), "{written}");
         }
+    }
+
+    /// A label of an axis, as robots number them, and words of a logger are no part of a name; several axes stay apart.
+    #[test]
+    fn labels_of_axes_and_words_of_a_logger_are_no_part_of_a_name() {
+        for (written, role) in [
+            ("t_log [s]", Role::Time),
+            ("log time [ms]", Role::Time),
+            ("J3 angle [deg]", Role::Position),
+            ("J3 torque [Nm]", Role::Torque),
+            ("A1 Position [deg]", Role::Position),
+            ("X2_pos", Role::Position),
+            ("J3_velocity [deg/s]", Role::Speed),
+            ("torque sensor [Nm]", Role::Torque),
+            ("J12.ActTorque [Nm]", Role::Torque),
+        ] {
+            assert_eq!(Named::marked(written).sureness(role), Some(Sureness::Measured), "{written}");
+        }
+        for (written, role) in
+            [("J3 [deg]", Role::Torque), ("J3 temperature [degC]", Role::Torque), ("J3 torque [A]", Role::Torque)]
+        {
+            assert_eq!(Named::marked(written).sureness(role), None, "{written}");
+        }
+        assert_eq!(axis_of("J3 torque"), Some(("j".to_owned(), "3".to_owned())));
     }
 
     #[test]

@@ -279,6 +279,7 @@ pub const OPTIONS: &[(&str, &[&str])] = &[
     ("change", &["set"]),
     ("duration", &["hours-per-day"]),
     ("factor", &["scale"]),
+    ("interval", &["every"]),
     ("limit", &["top", "deadline"]),
     ("max-time", &["deadline"]),
     ("multiply", &["scale"]),
@@ -288,11 +289,13 @@ pub const OPTIONS: &[(&str, &[&str])] = &[
     ("parameter", &["set"]),
     ("part", &["code"]),
     ("pdf", &["out"]),
+    ("period", &["every"]),
     ("picture", &["figure"]),
     ("product", &["code"]),
     ("replace", &["set"]),
     ("shift", &["hours-per-day"]),
     ("shifts", &["hours-per-day"]),
+    ("step", &["every"]),
     ("value", &["set"]),
     ("with", &["set"]),
 ];
@@ -300,6 +303,7 @@ pub const OPTIONS: &[(&str, &[&str])] = &[
 /// Names of options in German and as other programs spell them, each with the option that takes the same values; the first
 /// that the command has is meant.
 pub const TWIN_OPTIONS: &[(&str, &[&str])] = &[
+    ("abtastzeit", &["every"]),
     ("achse", &["axis"]),
     ("alle", &["all"]),
     ("anschluss", &["connector"]),
@@ -341,6 +345,7 @@ pub const TWIN_OPTIONS: &[(&str, &[&str])] = &[
     ("stichproben", &["samples"]),
     ("szenario", &["scenario"]),
     ("tabelle", &["table"]),
+    ("takt", &["every"]),
     ("timeout", &["deadline"]),
     ("umrichter", &["for"]),
     ("verfasser", &["author"]),

@@ -145,6 +145,7 @@ texts! {
         | "--code gilt für eine Achse, das Projekt hat jedoch mehrere; eine mit --axis wählen: {names}";
     fits_up_to = "fits up to (single changes)" | "geeignet bis (Einzeländerungen)";
     checks_pass_up_to = "all checks pass up to (single changes)" | "alle Nachweise erfüllt bis (Einzeländerungen)";
+    next_calls = "further calls" | "weitere Aufrufe";
     smallest_change =
         "smallest change, with the actuator that then fits" | "kleinste Änderung, mit dem dann geeigneten Antrieb";
     would_fit_with_another_law =

@@ -268,7 +268,7 @@ fn said(
     let hint = (!texts.is_empty()).then(|| texts.join("\n"));
     let fault = Fault { id: Some("usage"), option, message, hint, ..Fault::default() };
     let data = if as_json { written(&Faults::from(vec![fault])) } else { String::new() };
-    CommandAnswer { data, talk, code: 2 }
+    CommandAnswer { data, talk, code: 2, ..CommandAnswer::none() }
 }
 
 /// Returns the command that is called.

@@ -272,3 +272,34 @@ fn the_calls_below_the_help_work_in_an_empty_folder() {
         }
     }
 }
+
+/// The columns of a recording are those of their names or of their units: a torque that the file states is never left out
+/// of the load, whatever its heading.
+#[test]
+fn a_recording_is_read_alike_under_every_heading() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut first = None;
+    for (place, head) in [
+        "time_s,position_deg,torque_nm",
+        "t_log [s],J3 angle [deg],J3 torque [Nm]",
+        "clock [s],swivel [deg],gearbox out [Nm]",
+        "time [s],angle [deg],J3 load [Nm]",
+        "log time [s],A1 Position [deg],A1 Drehmoment [Nm]",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let turned = |row: i32| 40.0 * (1.0 - (f64::from(row) * 0.0314).cos());
+        let torque = |row: i32| 12.0 + 9.0 * (f64::from(row) * 0.0314).cos();
+        let rows = (0..=200).map(|row| format!("{:.2},{:.4},{:.3}\n", f64::from(row) * 0.01, turned(row), torque(row)));
+        let name = format!("r{place}.csv");
+        std::fs::write(folder.path().join(&name), format!("{head}\n{}", rows.collect::<String>())).unwrap();
+        let found = run_at(folder.path(), &["size", &name, "--json", "--top", "1"]);
+        assert!(found.code == 0, "{head}: {}", found.err);
+        let record: serde_json::Value = serde_json::from_str(&found.out).unwrap();
+        let best = &record["ranking"][0];
+        let told = (record["answer"].clone(), best["demand"].clone(), best["utilisation"].clone());
+        assert!(told.0.is_string(), "{head}");
+        assert_eq!(first.get_or_insert_with(|| told.clone()), &told, "{head}");
+    }
+}

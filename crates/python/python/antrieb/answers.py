@@ -1066,7 +1066,7 @@ class Explained(Record):
     errata: list[str] | None = None
     """Ids of the errata that value or limit depend on; their evidence is in `notes`. Omitted if there are none."""
     meaning: str
-    """What the check compares, as text."""
+    """Value and limit that the check compares, as text."""
     derivation: Derivation
     """Derivation of its figures."""
 
@@ -3774,9 +3774,9 @@ class GlossaryCheck(Record):
     de: str
     """German title."""
     meaning_en: str
-    """What the check compares, in English."""
+    """Value and limit that the check compares, in English."""
     meaning_de: str
-    """What the check compares, in German."""
+    """Value and limit that the check compares, in German."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
