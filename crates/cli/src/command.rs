@@ -183,12 +183,13 @@ const EXAMPLES: [(&str, &str); 9] = [
 ];
 
 /// Further calls below the help of the program, which spare a look at that of a command: another value, a table of values,
-/// an event, the temperatures of a day, a recording.
-pub(crate) const EVERYDAY: [&str; 5] = [
+/// an event, the temperatures of a day, setpoints, a recording.
+pub(crate) const EVERYDAY: [&str; 6] = [
     "antrieb check axis.toml --set motion.1.time=1s --scale load=1.15",
     "antrieb sweep axis.toml --vary mass=20:60:10kg --vary motion.1.time=0.6:1:0.2s",
     "antrieb simulate axis.toml --scenario power_failure",
     "antrieb simulate axis.toml --hours-per-day 16",
+    "antrieb moves axis.toml --every 4ms --out setpoints.csv",
     "antrieb size recording.csv",
 ];
 

@@ -65,7 +65,9 @@ fn column_of(preview: &Preview, role: Role) -> Option<&PreviewColumn> {
     let named = |role: Role| preview.columns.iter().find(|column| column.role == Some(role));
     let by_unit = |dimensions: &[Dimension]| {
         let has_unit = |column: &&PreviewColumn| dimensions.iter().any(|dimension| is_of(column, *dimension));
-        let mut others = preview.columns.iter().filter(|column| column.role.is_none()).filter(has_unit);
+        // Of a quantity of the motor the ratio to the output is not known.
+        let is_other = |column: &&PreviewColumn| column.role.is_none() && !recording::is_of_motor(&column.heading);
+        let mut others = preview.columns.iter().filter(is_other).filter(has_unit);
         others.next().filter(|_| others.next().is_none())
     };
     let is_named = || named(Role::Position).or_else(|| named(Role::Speed)).is_some();

@@ -148,13 +148,20 @@ fn parameter_number(words: &[String]) -> usize {
     if is_parameter && letter.is_ascii() { 1 + numbers } else { 0 }
 }
 
+/// Letters that label an axis of a robot or of a machine tool; `r63` and `p63` are parameters of a drive.
+const LABELS: [&str; 10] = ["j", "a", "b", "c", "u", "v", "w", "x", "y", "z"];
+
 /// Returns the number of words of the label of an axis before a name, a letter with a number of one or two digits: `J3 torque`,
 /// `A1 Position`, `X2 pos`. Without a further word it is the name itself, `q1`.
 fn axis_label(words: &[String]) -> usize {
     let is_number = |word: &String| word.len() <= 2 && word.bytes().all(|byte| byte.is_ascii_digit());
     let is_name = |word: &String| word.len() > 1 && word.bytes().all(|byte| byte.is_ascii_alphabetic());
     match words {
-        [letter, number, rest @ ..] if letter.len() == 1 && is_number(number) && rest.iter().any(is_name) => 2,
+        [letter, number, rest @ ..]
+            if LABELS.contains(&letter.as_str()) && is_number(number) && rest.iter().any(is_name) =>
+        {
+            2
+        }
         _ => 0,
     }
 }

@@ -504,8 +504,8 @@ fn spurious_text(made_up: &MadeUp, torque_nm: f64, language: Language) -> String
             let rms = figure(torque_nm * rms_rad_s2 / made_up.acceleration_rad_s2, &NEWTON_METRE, language);
             let remedy = smoothing_text(smoothing_s, made_up.column, language);
             said!(language =>
-                "the recorded {column} has noise of {noise} (standard deviation) at intervals of {interval}: the noise alone produces apparent accelerations of up to {alone} wherever the axis moves, {torque} at the load in T_peak and {rms} (rms), which adds to T_rms by its square, while the motion itself has {motion}; {remedy}"
-                | "die aufgezeichnete {column} hat Rauschen von {noise} (Standardabweichung) im Abstand von {interval}: es allein täuscht überall, wo die Achse sich bewegt, Beschleunigungen bis {alone} vor, an der Last {torque} in T_peak und {rms} effektiv, die quadratisch in T_rms eingehen, die Bewegung selbst hat {motion}; {remedy}"
+                "the recorded {column} has noise of {noise} (standard deviation) at intervals of {interval}: the noise alone produces apparent accelerations of up to {alone} wherever the axis moves, {torque} at the load without the inertia of the actuator in T_peak and {rms} (rms), which adds to T_rms by its square, while the motion itself has {motion}; {remedy}"
+                | "die aufgezeichnete {column} hat Rauschen von {noise} (Standardabweichung) im Abstand von {interval}: es allein täuscht überall, wo die Achse sich bewegt, Beschleunigungen bis {alone} vor, an der Last ohne das Eigenträgheitsmoment des Antriebs {torque} in T_peak und {rms} effektiv, die quadratisch in T_rms eingehen, die Bewegung selbst hat {motion}; {remedy}"
             )
         }
         Spurious::Stamps { scatter_s } => {

@@ -320,9 +320,12 @@ impl Called<'_> {
             }
             _ => Vec::new(),
         };
+        // An option of this command for the same is nearer than one of another by the same name.
+        let is_own = option_meant(&name, self.command).is_some();
         let of_other = self
             .with_command_of_option(&name, arguments)
-            .or_else(|| self.with_command_of_value(&name, (place, behind), arguments));
+            .or_else(|| self.with_command_of_value(&name, (place, behind), arguments))
+            .filter(|_| !is_own);
         let options = match (&of_other, meant) {
             // The call without the option remains.
             (Some(_), _) => vec![[String::new(), String::new()]],

@@ -268,7 +268,7 @@ fn the_calls_below_the_help_work_in_an_empty_folder() {
             let words: Vec<&str> = call.split(' ').skip(1).collect();
             let found = run_at(folder.path(), &[&words[..], &["--lang", language]].concat());
             assert!(found.code == 0 || found.code == 1, "{call}: {} {}", found.out, found.err);
-            assert!(!found.out.is_empty(), "{call}: {}", found.err);
+            assert!(!found.out.is_empty() || !found.err.is_empty(), "{call}");
         }
     }
 }
@@ -302,4 +302,31 @@ fn a_recording_is_read_alike_under_every_heading() {
         assert!(told.0.is_string(), "{head}");
         assert_eq!(first.get_or_insert_with(|| told.clone()), &told, "{head}");
     }
+}
+
+/// A payload of the call is that of every segment that states one: what a move carries, its dwell holds.
+#[test]
+fn a_payload_is_that_of_moves_and_of_the_dwells_that_hold_it() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(call(folder.path(), "antrieb new arm --out arm.toml").code, 0);
+    let path = folder.path().join("arm.toml");
+    let text = std::fs::read_to_string(&path).unwrap();
+    // The dwell behind the first move holds what that carries.
+    let text = text.replacen("law = \"dwell\"\n", "law = \"dwell\"\npayload = \"5 kg\"\n", 1);
+    std::fs::write(&path, text).unwrap();
+    for (option, carried) in [("--set payload=2kg", "2kg"), ("--scale payload=0.4", "2 kg")] {
+        let found = call(folder.path(), &format!("antrieb size arm.toml {option}"));
+        for segment in [1, 2] {
+            let key = format!("motion[{segment}].payload 5 kg → {carried}");
+            assert!(found.err.contains(&key), "{option}: {key}\n{}", found.err);
+        }
+    }
+    let swept = call(folder.path(), "antrieb sweep arm.toml --vary payload=0:4:2kg");
+    assert!(
+        swept.out.contains("motion[1].payload [kg]") && swept.out.contains("motion[2].payload [kg]"),
+        "{}",
+        swept.out
+    );
+    let refused = call(folder.path(), "antrieb moves arm.toml --step 4ms --out s.csv");
+    assert!(refused.err.contains("antrieb moves arm.toml --every 4ms --out s.csv"), "{}", refused.err);
 }
