@@ -92,7 +92,7 @@ fn next_calls(best: &Best, inquiry: &Inquiry<'_>, axis: Option<&str>) -> Option<
     let of = |words: &[&str]| typed([&["antrieb"][..], words, &axis].concat());
     let mut calls: Vec<String> = best.check.iter().map(|check| of(&["explain", project, "--check", check])).collect();
     if best.has_open_law {
-        calls.push(of(&["sweep", project, "--vary", "law=polynomial_5,modified_sine,trapezoid"]));
+        calls.push(of(&["sweep", project, "--vary", "law=polynomial_5,modified_sine,trapezoid,triangle"]));
     }
     calls.push(of(&["simulate", project, "--days", "5", "--hours-per-day", "16"]));
     calls.push(typed(["antrieb", "commission", &best.code, "--for", "sinamics"]));

@@ -15,9 +15,9 @@ texts! {
     warm(winding, housing) =
         "warm, winding {winding} °C, housing {housing} °C" | "warm, Wicklung {winding} °C, Gehäuse {housing} °C";
     cold(ambient) = "cold, all parts at {ambient} °C" | "kalt, alle Teile auf {ambient} °C";
-    worst_instant(count, direction, effect, value) =
-        "Instant of the event: the worst of {count} examined over the cycle, {direction}, by the {effect} ({value})"
-        | "Zeitpunkt des Ereignisses: der ungünstigste von {count} im Zyklus untersuchten, {direction}, nach {effect} ({value})";
+    worst_instant(count, time, direction, effect, value) =
+        "Instant of the event: {time} s, the worst of {count} examined over the cycle, {direction}, by the {effect} ({value})"
+        | "Zeitpunkt des Ereignisses: {time} s, der ungünstigste von {count} im Zyklus untersuchten, {direction}, nach {effect} ({value})";
     worst_elsewhere(direction, value, time) = "{direction}: {value} at {time} s" | "{direction}: {value} bei {time} s";
     overrun_above(value, time) =
         "beyond the highest position of the motion by up to {value} (event at {time} s)"

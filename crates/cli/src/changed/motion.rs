@@ -125,13 +125,12 @@ impl<'p> Due<'p> {
         let own = || all_segments.iter().filter(|(_, is_dwell)| *is_dwell == of_dwells).map(|(segment, _)| segment);
         let path = |segment: &String| format!("{segment}.{key}");
         let mut due = Self { all, prefix, key, paths: Vec::new(), replaced: Vec::new() };
+        let is_stated = |path: &String| value(path).is_some();
+        due.paths = own().map(path).filter(is_stated).collect();
         // What a move carries, its dwell holds: every segment that states it has the new value.
-        let all_own = || all_segments.iter().map(|(segment, _)| segment);
-        due.paths = if CARRIED.contains(&key) {
-            all_own().map(path).filter(|path| value(path).is_some()).collect()
-        } else {
-            own().map(path).filter(|path| value(path).is_some()).collect()
-        };
+        if CARRIED.contains(&key) && !due.paths.is_empty() {
+            due.paths = all_segments.iter().map(|(segment, _)| path(segment)).filter(is_stated).collect();
+        }
         if !due.paths.is_empty() {
             return due;
         }

@@ -80,7 +80,14 @@ fn worst_instant(worst: &twin::WorstInstant, run: &Simulated<'_>, language: Lang
     let mut parts: Vec<String> = Vec::new();
     for (place, each) in worst.directions.iter().enumerate() {
         parts.push(if place == 0 {
-            simulation::worst_instant(&worst.examined, &direction(each), &effect, &value(each), language)
+            simulation::worst_instant(
+                &worst.examined,
+                &seconds(each.at_s),
+                &direction(each),
+                &effect,
+                &value(each),
+                language,
+            )
         } else {
             simulation::worst_elsewhere(&direction(each), &value(each), &seconds(each.at_s), language)
         });
