@@ -230,7 +230,7 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
     // Changes with which any actuator fits stand above: those of the nearest one alone are larger.
     let of_nearest = of_nearest.map(|reserve| match &found.reached {
         Some(_) => reserve.without_changes(),
-        None => reserve.clone(),
+        None => *reserve,
     });
     out.push_str(&rejected_text(sizing, of_nearest.as_ref(), all, language));
     if let Some(own) = &sizing.own {

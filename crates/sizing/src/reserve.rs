@@ -45,8 +45,8 @@ pub struct Reserve {
 impl Reserve {
     /// Returns the reserve without the changes of load, payload and cycle time.
     #[must_use]
-    pub fn without_changes(&self) -> Self {
-        Self { load_factor: None, payload_factor: None, cycle_time: None, ..self.clone() }
+    pub const fn without_changes(&self) -> Self {
+        Self { load_factor: None, payload_factor: None, cycle_time: None, ..*self }
     }
 }
 
