@@ -108,17 +108,17 @@ pub(crate) fn language_and_dark(stage: &OpenPage<'_>) -> Worded {
              [...document.querySelectorAll('.card > span > .small')].every((each) => each.textContent.includes('{word}'))"
         )
     };
-    tab.until(&results("cycle "))?;
+    tab.until(&results("cycle\u{a0}"))?;
     tab.click("#theme")?;
     tab.until("document.documentElement.dataset.theme !== 'dark'")?;
-    tab.until(&results("cycle "))?;
+    tab.until(&results("cycle\u{a0}"))?;
     tab.click("a.button[lang=de]")?;
-    tab.until(&results("Zyklus "))?;
+    tab.until(&results("Zyklus\u{a0}"))?;
     // A theme in the address stands before that of the last visit.
     tab.open(&stage.shell.at("theme=dark&lang=en"))?;
     stage.listens()?;
     tab.until("document.documentElement.dataset.theme === 'dark'")?;
-    tab.until(&results("cycle "))
+    tab.until(&results("cycle\u{a0}"))
 }
 
 pub(crate) fn compare(stage: &OpenPage<'_>) -> Worded {

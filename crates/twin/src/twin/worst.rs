@@ -153,7 +153,7 @@ impl Seen {
 /// # Source
 /// docs/theory/twin.md
 /// # Valid
-/// at most [`INSTANTS_MOST`] instants and [`EXAMINED_S`] after each; a motion with more moves has the worst by their
+/// at most [`INSTANTS_MOST`] instants and 2 s after each; a motion with more moves has the worst by their
 /// rigid travel, speed and power
 /// # Errors
 /// [`Fault`] of [`Twin::new`]; `Ok(None)` if the scenario has no instant, the setup states it, or the caller cancels
