@@ -187,6 +187,12 @@ impl<'m> Call<'m> {
 }
 
 impl Call<'_> {
+    /// Returns `true` if the call names no catalogue file.
+    pub(crate) fn names_no_catalogue(&self) -> bool {
+        let named = self.matches.try_get_many::<PathBuf>("catalogue").ok().flatten();
+        named.is_none_or(|mut paths| paths.next().is_none())
+    }
+
     /// Returns the remarks on the values that the call states in place of the project, one a line.
     #[cfg(feature = "report")]
     pub(crate) fn changes(&self) -> impl Iterator<Item = &str> {

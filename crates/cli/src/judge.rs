@@ -60,6 +60,7 @@ pub(crate) fn size(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnsw
         let found = args.ranking(project, progress())?;
         best.replace(found.sizing.answer().map(|answer| Best {
             code: answer.id.to_string(),
+            is_ordered: answer.id.order_code().is_some(),
             check: answer.governing().map(|check| check.id.id()),
             has_open_law: project.assumptions.contains(&Assumption::LawOpen),
         }));
@@ -69,7 +70,8 @@ pub(crate) fn size(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnsw
             nearest.map(|near| questions::list::check::reserve_within(project, near, progress())).transpose()?;
         Ok((sizing_text(&found, reserve.as_ref(), args.all, language), found.sizing.fits()))
     })?;
-    let is_plain = axes.len() == 1 && call.changes.is_empty() && !args.all;
+    // The further calls are those of the project as its file and the catalogue of the program have it.
+    let is_plain = axes.len() == 1 && call.changes.is_empty() && !args.all && call.names_no_catalogue();
     let next = best.into_inner().filter(|_| is_plain).and_then(|best| next_calls(&best, inquiry, args.axis.as_deref()));
     let next = next.map(|calls| format!("\n{}:\n  {}\n", terminal::next_calls(language), calls.join("\n  ")));
     Ok(CommandAnswer { talk, next: next.unwrap_or_default(), ..CommandAnswer::of_axes(found) })
@@ -78,13 +80,15 @@ pub(crate) fn size(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnsw
 /// The answer of a ranking, for the calls that go on from it.
 struct Best {
     code: String,
+    /// It has an ordering code.
+    is_ordered: bool,
     /// Identifier of its governing check.
     check: Option<&'static str>,
     has_open_law: bool,
 }
 
-/// Returns the calls that go on from a ranking: the derivation of the governing check, events and the temperatures of a day,
-/// the settings of the drive, the report, and the laws of motion if none is decided; `None` if the project is no file.
+/// Returns the calls that go on from a ranking: the derivation of the governing check, the settings of the drive,
+/// the report, and the laws of motion if none is decided; `None` if the project is no file.
 fn next_calls(best: &Best, inquiry: &Inquiry<'_>, axis: Option<&str>) -> Option<Vec<String>> {
     let [source] = inquiry.sources.as_slice() else { return None };
     let project = Some(&*source.name).filter(|name| name.ends_with(".toml") && !name.starts_with('('))?;
@@ -94,8 +98,9 @@ fn next_calls(best: &Best, inquiry: &Inquiry<'_>, axis: Option<&str>) -> Option<
     if best.has_open_law {
         calls.push(of(&["sweep", project, "--vary", "law=polynomial_5,modified_sine,trapezoid,triangle"]));
     }
-    calls.push(of(&["simulate", project, "--days", "5", "--hours-per-day", "16"]));
-    calls.push(typed(["antrieb", "commission", &best.code, "--for", "sinamics"]));
+    if best.is_ordered {
+        calls.push(typed(["antrieb", "commission", &best.code, "--for", "sinamics"]));
+    }
     calls.push(of(&["report", project, "--out", "report.pdf"]));
     Some(calls)
 }

@@ -2,7 +2,7 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use crate::refusals::{call, named};
-use crate::run::{run, run_at};
+use crate::run::{examples, run, run_at};
 
 /// A folder with two projects, so that none of them is plainly meant.
 fn folder() -> tempfile::TempDir {
@@ -325,4 +325,21 @@ fn a_payload_is_that_of_moves_and_of_the_dwells_that_hold_it() {
     assert!(swept.out.contains("motion[1].payload") && swept.out.contains("motion[2].payload"), "{}", swept.out);
     let refused = call(folder.path(), "antrieb moves arm.toml --step 4ms --out s.csv");
     assert!(refused.err.contains("antrieb moves arm.toml --every 4ms --out s.csv"), "{}", refused.err);
+}
+
+/// The calls below a ranking work as they stand, for every example; without the report, which has tests of its own.
+#[test]
+fn the_calls_below_a_ranking_work() {
+    let mut tried = 0;
+    for example in examples() {
+        let ranked = run(&["size", &example]);
+        let below = ranked.err.split_once("further calls:\n").map_or("", |(_, below)| below);
+        for call in below.lines().map(str::trim).filter(|call| !call.is_empty() && !call.contains(" report ")) {
+            let words: Vec<&str> = call.split(' ').skip(1).collect();
+            let found = run(&words);
+            assert!(found.code < 2 && !found.out.is_empty(), "{call}: {}", found.err);
+            tried += 1;
+        }
+    }
+    assert!(tried > 12, "{tried}");
 }
