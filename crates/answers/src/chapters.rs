@@ -1,6 +1,6 @@
 //! Records of single subjects: curves, torsion, bearing, battery, inertia.
 
-use crate::{Check, Id, Number, Units};
+use crate::{AssumptionEntry, Check, Id, Number, Units};
 use provenance::Grade;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -106,6 +106,8 @@ pub struct TorqueExceeded {
 pub struct Bearings {
     /// Results for every size.
     pub sizes: Vec<BearingOfSize>,
+    /// Assumptions of the axis.
+    pub assumptions: Vec<AssumptionEntry>,
 }
 
 /// Output bearing of one size.

@@ -1,6 +1,6 @@
 //! Comparison of actuators side by side, and of an actuator before and after a change.
 
-use crate::{Check, CitedErratum, Fit, Id, Number};
+use crate::{AssumptionEntry, Check, CitedErratum, Fit, Id, Number};
 use schemars::JsonSchema;
 use serde::Serialize;
 use sizing::CheckId;
@@ -65,6 +65,8 @@ pub struct Comparison {
     pub errata: Vec<CitedErratum>,
     /// Comparison check by check.
     pub checks: Vec<CheckRow>,
+    /// Assumptions of the axis.
+    pub assumptions: Vec<AssumptionEntry>,
 }
 
 /// A value that differs between two project files.

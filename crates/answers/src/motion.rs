@@ -1,6 +1,6 @@
 //! Motion resulting from the project.
 
-use crate::{Number, Units};
+use crate::{AssumptionEntry, Number, Units};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -15,6 +15,9 @@ pub struct Motion {
     /// Setpoints at equal steps; only if a step is stated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub setpoints: Option<Setpoints>,
+    /// Assumptions about the motion; only in the answer of `moves`, other answers have those of the axis.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub assumptions: Vec<AssumptionEntry>,
 }
 
 /// Setpoints of the motion over one cycle, its end included.

@@ -1,6 +1,6 @@
 //! Mounting of an actuator.
 
-use crate::{CitedErratum, Fact, Fit, Id, Number, TableCell, Units};
+use crate::{AssumptionEntry, CitedErratum, Fact, Fit, Id, Number, TableCell, Units};
 use installation::fit::{FitKind, Side};
 use installation::joint::LoadCase;
 use provenance::Grade;
@@ -19,6 +19,9 @@ pub struct Mount {
     pub units: Units,
     /// Remarks on data not covered by the tables, and on the basis of the figures, as text.
     pub notes: Vec<String>,
+    /// Assumptions of the axis whose loads act on the joints; empty without a project.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub assumptions: Vec<AssumptionEntry>,
     /// Pilots with their bores, load side first.
     pub pilots: Vec<Pilot>,
     /// Tolerances of the output flange.

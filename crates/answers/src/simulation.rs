@@ -1,6 +1,6 @@
 //! Run of the digital twin.
 
-use crate::{Id, Number};
+use crate::{AssumptionEntry, Id, Number};
 use provenance::Grade;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
@@ -61,8 +61,10 @@ pub struct Simulation {
     pub gains_by_rule: bool,
     /// Parameters of the model.
     pub parameters: Vec<ModelParameter>,
-    /// Assumptions and omissions, as text.
+    /// Choices and omissions of the model, as text.
     pub notes: Vec<String>,
+    /// Assumptions of the axis.
+    pub assumptions: Vec<AssumptionEntry>,
     /// File of the recorded signals; `null` if none was written.
     pub trace: Option<String>,
 }

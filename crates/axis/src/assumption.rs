@@ -270,6 +270,33 @@ impl Assumption {
             _ => None,
         }
     }
+
+    /// Returns `true` if the assumption concerns position, speed or duration of the motion, not the load alone.
+    #[must_use]
+    pub const fn concerns_motion(self) -> bool {
+        matches!(
+            self,
+            Self::LawOpen
+                | Self::OneRevolution
+                | Self::WebRamps
+                | Self::TrapezoidThirds
+                | Self::SingleMoveRepeats
+                | Self::RecordedAtOutput
+                | Self::RecordedTurnsAlike
+                | Self::RecordedPositionDifferentiated
+                | Self::RecordedModulo
+                | Self::RecordedWindow(_)
+                | Self::RecordedRest(_)
+                | Self::RecordedSlow(_)
+                | Self::RecordedAlternating(_)
+                | Self::RecordedKey(_)
+                | Self::Motionless(..)
+                | Self::Overruns(_)
+                | Self::RecordedSteps(..)
+                | Self::SplineThroughPoints(_)
+                | Self::Default(KeyDefault::StartsAtZero | KeyDefault::WindsUp | KeyDefault::RollToWind)
+        )
+    }
 }
 
 /// Returns the default of a field that is not stated, if its key has one.

@@ -6,6 +6,7 @@ use crate::command::typed::typed;
 use crate::fault::path_text;
 use crate::plot;
 use crate::preview::previewed;
+use crate::reserve::assumptions_text;
 use crate::source::SourceFile;
 use crate::source::begun::as_single_move;
 use crate::table::{Align, TextTable, labelled};
@@ -65,7 +66,8 @@ pub(crate) fn bearing(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandA
     let axes = inquiry.axes(args.axis.as_deref(), Cost::Other)?;
     let found = inquiry.each(&axes, |project| {
         let sizes = bearing::sizes(project, inquiry.progress, language)?;
-        Ok((bearing_text(&sizes, language), bearing::fits(&sizes)))
+        let assumed = assumptions_text(&project.assumptions, language);
+        Ok((bearing_text(&sizes, language) + &assumed, bearing::fits(&sizes)))
     })?;
     Ok(CommandAnswer::of_axes(found))
 }

@@ -2,6 +2,7 @@
 
 use crate::answer::CommandAnswer;
 use crate::call::Call;
+use crate::reserve::assumptions_text;
 use crate::table::{Align, TextTable, paragraph};
 use axis::AxisProject;
 use order_code::OrderCode;
@@ -68,6 +69,7 @@ fn text(found: &Comparison<'_>, project: &AxisProject, language: Language) -> St
     let room = terminal::lowest_utilisation(language);
     let _ = writeln!(out, "✓ {pass} · ✗ {fail} · ! {advice} · ? {open} · ○ {shown} · * {room}\n");
     out.push_str(&figures(found, language));
+    out.push_str(&assumptions_text(&project.assumptions, language));
     out
 }
 

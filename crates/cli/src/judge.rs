@@ -64,17 +64,28 @@ pub(crate) fn size(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnsw
             check: answer.governing().map(|check| check.id.id()),
             has_open_law: project.assumptions.contains(&Assumption::LawOpen),
         }));
+        let reserve = |candidate| questions::list::check::reserve_within(project, candidate, progress());
         // The changes with which the actuator with the smallest excess would fit; the long list does not show them.
         let nearest = found.sizing.nearest_miss().filter(|_| !args.all);
-        let reserve =
-            nearest.map(|near| questions::list::check::reserve_within(project, near, progress())).transpose()?;
-        Ok((sizing_text(&found, reserve.as_ref(), args.all, language), found.sizing.fits()))
+        let reserves = Reserves {
+            answer: found.sizing.answer().map(reserve).transpose()?,
+            nearest: nearest.map(reserve).transpose()?,
+        };
+        Ok((sizing_text(&found, &reserves, args.all, language), found.sizing.fits()))
     })?;
     // The further calls are those of the project as its file and the catalogue of the program have it.
     let is_plain = axes.len() == 1 && call.changes.is_empty() && !args.all && call.names_no_catalogue();
     let next = best.into_inner().filter(|_| is_plain).and_then(|best| next_calls(&best, inquiry, args.axis.as_deref()));
     let next = next.map(|calls| format!("\n{}:\n  {}\n", terminal::next_calls(language), calls.join("\n  ")));
     Ok(CommandAnswer { talk, next: next.unwrap_or_default(), ..CommandAnswer::of_axes(found) })
+}
+
+/// Reserves that a ranking states.
+struct Reserves {
+    /// That of the answer.
+    answer: Option<Reserve>,
+    /// The changes with which the actuator with the smallest excess would fit.
+    nearest: Option<Reserve>,
 }
 
 /// The answer of a ranking, for the calls that go on from it.
@@ -159,7 +170,7 @@ pub(crate) fn file_name(name: &str) -> &str {
     name.get(path.rfind(['/', '\\']).map_or(0, |at| at + 1)..).unwrap_or(name)
 }
 
-fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, language: Language) -> String {
+fn sizing_text(found: &Ranking<'_>, reserves: &Reserves, all: bool, language: Language) -> String {
     let Ranking { project, sizing, top, .. } = found;
     let top = *top;
     let mut out = String::new();
@@ -172,10 +183,13 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
         None => writeln!(out, "{name}: {}", paint(terminal::no_actuator_fits(language), Verdict::Fail)),
     };
     let _ = writeln!(out, "{}", fitting_text(sizing, language));
+    if let (Some(best), Some(reserve)) = (sizing.answer(), &reserves.answer) {
+        out.push_str(&reserve_text(reserve, best, "", language));
+    }
     if let Some(reached) = found.reached.as_ref().filter(|reached| !reached.is_empty()) {
         let all: Vec<String> = reached.iter().map(|reach| reach_text(reach, language)).collect();
         out.push_str(&labelled(terminal::smallest_change(language), &all.join("; ")));
-        let nearest = of_nearest.zip(sizing.nearest_miss());
+        let nearest = reserves.nearest.as_ref().zip(sizing.nearest_miss());
         let condition = nearest.and_then(|(reserve, near)| reserve_condition(reserve, near, language));
         if let Some(condition) = condition {
             out.push_str(&labelled(terms::not_checked(language), &condition));
@@ -233,9 +247,9 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
         out.push_str(&noted);
     }
     // Changes with which any actuator fits stand above: those of the nearest one alone are larger.
-    let of_nearest = of_nearest.map(|reserve| match &found.reached {
+    let of_nearest = reserves.nearest.map(|reserve| match &found.reached {
         Some(_) => reserve.without_changes(),
-        None => *reserve,
+        None => reserve,
     });
     out.push_str(&rejected_text(sizing, of_nearest.as_ref(), all, language));
     if let Some(own) = &sizing.own {
@@ -350,10 +364,10 @@ fn rejected_text(sizing: &Sizing<'_>, of_nearest: Option<&Reserve>, all: bool, l
     if let Some(limited) = by_limits.filter(|limited| nearest.is_none_or(|nearest| nearest.id != limited.id)) {
         let head = terminal::kept_out_by_limits(language);
         out.push_str(&noted(head, limited));
-        out.push_str(&reserve_text(&Reserve::default(), limited, language));
+        out.push_str(&reserve_text(&Reserve::default(), limited, "  ", language));
     }
     if let (Some(near), Some(reserve)) = (nearest, of_nearest) {
-        out.push_str(&reserve_text(reserve, near, language));
+        out.push_str(&reserve_text(reserve, near, "  ", language));
     }
     out
 }
@@ -499,7 +513,7 @@ pub(crate) fn check(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
 
 fn verification_text(found: &Verification<'_>, language: Language) -> String {
     let (project, candidate) = (found.project, &found.candidate);
-    let reserve = reserve_text(&found.reserve, candidate, language);
+    let reserve = reserve_text(&found.reserve, candidate, "", language);
     let assumed = assumptions_about(project, candidate, language);
     let one_line = format!("{} · {}: {}", project.name, candidate.id, standing_text(candidate, language));
     let head = match (project.name.is_empty(), one_line.chars().count() > width()) {

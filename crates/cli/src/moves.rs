@@ -4,6 +4,7 @@ use crate::answer::{CommandAnswer, written};
 use crate::call::Call;
 use crate::command::typed::typed;
 use crate::fault::path_text;
+use crate::reserve::assumptions_of_motion;
 use crate::table::{Align, TextTable, labelled};
 use axis::SegmentLoadKey;
 use quantities::unit::SECOND;
@@ -39,7 +40,8 @@ pub(crate) fn moves(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
             let call = typed(head.chain(of_axis).chain(["--every", "2ms", "--out", "setpoints.csv"]));
             format!("\n{}\n", terminal::setpoints_call(&call, language))
         });
-        return Ok(CommandAnswer::data(text(&found, language) + &setpoints.unwrap_or_default()));
+        let assumed = assumptions_of_motion(&project, language);
+        return Ok(CommandAnswer::data(text(&found, language) + &assumed + &setpoints.unwrap_or_default()));
     };
     let table = tables::setpoints(&setpoints, language);
     let ms = |time: Time| unpadded(time.si() * 1e3, 6, language);
@@ -47,7 +49,7 @@ pub(crate) fn moves(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
         let cycle = unpadded(project.axis.motion.duration().si(), 6, language);
         format!("{}\n", terminal::setpoints_rest(&cycle, &ms(setpoints.every), &ms(rest), language))
     });
-    let talk = rest.unwrap_or_default();
+    let talk = assumptions_of_motion(&project, language) + &rest.unwrap_or_default();
     let (Some(file), Some(format)) = (file, format) else {
         return Ok(CommandAnswer { talk, ..CommandAnswer::data(tables::csv(&table)) });
     };
@@ -58,7 +60,7 @@ pub(crate) fn moves(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
     saver.save(&[(file, &bytes)])?;
     let data = if call.as_json {
         let record = answer::setpoints(&setpoints, Some(path_text(file)));
-        written(&answer::motion(&found, Some(record), language))
+        written(&answer::motion_of(&project, Some(record), language))
     } else {
         let rows = setpoints.rows.len();
         format!("{}\n", terminal::setpoints_written(&path_text(file), &rows, &ms(setpoints.every), language))

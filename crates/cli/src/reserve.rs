@@ -21,9 +21,15 @@ pub(crate) fn assumptions_about(project: &AxisProject, candidate: &Candidate<'_>
     best + &assumptions_text(&concerning, language)
 }
 
-/// Returns the permissible change of each quantity with all others unchanged; for an actuator that does not fit, also
-/// the limits of the project that would have to change.
-pub(crate) fn reserve_text(reserve: &Reserve, candidate: &Candidate<'_>, language: Language) -> String {
+/// Returns the assumptions that concern the motion.
+pub(crate) fn assumptions_of_motion(project: &AxisProject, language: Language) -> String {
+    let concerning = project.assumptions.iter().copied().filter(|each| each.concerns_motion());
+    assumptions_text(&concerning.collect::<Vec<_>>(), language)
+}
+
+/// Returns the permissible change of each quantity with all others unchanged, for an actuator that does not fit also the
+/// limits of the project that would have to change; `indent` stands before each heading.
+pub(crate) fn reserve_text(reserve: &Reserve, candidate: &Candidate<'_>, indent: &str, language: Language) -> String {
     let lines = reserve_lines(reserve, candidate, language);
-    lines.iter().map(|(head, parts)| labelled(head, &parts.join("; "))).collect()
+    lines.iter().map(|(head, parts)| labelled(&format!("{indent}{head}"), &parts.join("; "))).collect()
 }

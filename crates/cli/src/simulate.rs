@@ -5,6 +5,7 @@ use crate::call::Call;
 use crate::fault::path_text;
 use crate::laid_out::shown;
 use crate::plot;
+use crate::reserve::assumptions_about;
 use answers::{Answered, Fit};
 use questions::list::{Inquiry, Unanswered, identify, simulate};
 use questions::{answer, chapter};
@@ -69,21 +70,22 @@ pub(crate) fn simulate(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Command
     let data = if call.as_json {
         written(&Answered::of(records, Fit::of(fits)))
     } else {
-        let text = |record: &answers::Simulation| {
-            let text = shown(&chapter::simulation(record, language), language);
-            match (&record.trace, runs.first()) {
-                (Some(file), Some(run)) if args.days_of(run, language).is_ok_and(|days| days.is_some()) => {
+        let text = |(record, run): (&answers::Simulation, &questions::Simulated<'_>)| {
+            let assumed = assumptions_about(run.project, &run.candidate, language);
+            let text = shown(&chapter::simulation(record, language), language) + "\n" + &assumed;
+            match &record.trace {
+                Some(file) if args.days_of(run, language).is_ok_and(|days| days.is_some()) => {
                     let rows: usize = run.days().unwrap_or_default().iter().map(|day| day.points.len()).sum();
                     format!("{text}\n{}\n", simulation::days_written(file, &rows, language))
                 }
-                (Some(file), Some(run)) => {
+                Some(file) => {
                     let every = quantities::format_significant(run.every_s() * 1e3, 4, language);
                     format!("{text}\n{}\n", simulation::trace_written(file, &run.course.len(), &every, language))
                 }
-                _ => text,
+                None => text,
             }
         };
-        records.iter().map(text).collect::<Vec<_>>().join("\n")
+        records.iter().zip(&runs).map(text).collect::<Vec<_>>().join("\n")
     };
     Ok(CommandAnswer::data(data).fits(fits))
 }

@@ -13,6 +13,7 @@ use crate::changed::prefix;
 use crate::command::own::VARY;
 use crate::fault::path_text;
 use crate::source::SourceFile;
+use crate::table::labelled;
 use parts::{PART, SweepParts};
 use quantities::{Language, format_number};
 use questions::list::{Cost, Inquiry, Unanswered, sweep};
@@ -197,7 +198,7 @@ fn into_file(
         return Err(parts.ended(why));
     }
     parts.remove();
-    let summary = tally.summary(Some(path_text(out)), language);
+    let summary = tally.summary(sweep.sweep(), Some(path_text(out)));
     let data = if call.as_json { written(&summary) } else { shown(&summary, language) };
     Ok(CommandAnswer { talk, ..CommandAnswer::data(data) }.fits(summary.fitting > 0))
 }
@@ -263,6 +264,9 @@ fn shown(summary: &SweepSummary, language: Language) -> String {
         if summary.further > 0 {
             let _ = writeln!(text, "  {:>10}  {}", summary.further, sweeps::further(language));
         }
+    }
+    for each in &summary.assumptions {
+        text.push_str(&labelled(words::terms::assumed(language), &each.why));
     }
     text
 }

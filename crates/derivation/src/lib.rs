@@ -172,9 +172,9 @@ impl Workings {
         errata: &'static [&'static str],
     ) {
         let Some(steps) = &mut self.steps else { return };
-        // The same input value is recorded once.
-        let is_same = |step: &Step| step.symbol == symbol && step.si == si && step.unit.json == unit.json;
-        if steps.iter().any(|step| is_same(step) && step.how == How::Given) {
+        // The same input value is recorded once, unless another value of its symbol followed: formulas take the latest.
+        let is_same = |step: &&Step| step.si == si && step.unit.json == unit.json && step.how == How::Given;
+        if steps.iter().rev().find(|step| step.symbol == symbol).is_some_and(|step| is_same(&step)) {
             return;
         }
         let (source, part) = (source.clone(), Part::Step);
@@ -353,5 +353,16 @@ mod tests {
         let steps = work.into_steps();
         assert_eq!(steps.len(), 2);
         assert_eq!(evaluate(&steps, 1), Some(Err(FormulaFault::Unknown { symbol: "T_x".to_owned() })));
+    }
+
+    #[test]
+    fn a_figure_noted_again_behind_another_of_its_symbol_is_the_one_in_use() {
+        let mut work = Workings::on();
+        for torque in [5.0, 6.0, 5.0] {
+            work.figure("T_L", &NEWTON_METRE, torque, &EQUATION, Grade::Printed);
+        }
+        work.formula("T_1", &NEWTON_METRE, 10.0, "2*T_L", &EQUATION);
+        let steps = work.into_steps();
+        assert_eq!(evaluate(&steps, 3), Some(Ok(10.0)));
     }
 }

@@ -25,6 +25,7 @@ mod written;
 
 pub use catalogue_check::checked_catalogue;
 pub use chapters::{battery, bearings, curves, inertia, torsion};
+pub(crate) use check::{assumption, assumptions};
 pub use check::{check, explained, explanations};
 pub use code::{code_faults, code_reading, completion, listed};
 pub use commission::{commissioning, drive_objects};
@@ -39,7 +40,7 @@ pub use fault::{code_worded, fault, faults, file_fault, not_in_glossary, option_
 pub use inputs::input_words;
 pub(crate) use judged::would_fit_after;
 pub use judged::{candidate, fit, judgement, objections, reserve, sizing, tolerance};
-pub use motion::{motion, setpoints};
+pub use motion::{motion, motion_of, setpoints};
 pub use mount::mount;
 pub use recorded::recorded;
 pub use sheet::{catalogue_cells, sheet, sheet_note_text};

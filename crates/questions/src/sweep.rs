@@ -28,7 +28,8 @@ pub use summary::{MissedBy, NotJudged, SweepCheck, SweepRow, SweepSummary, Tally
 use crate::list::Unanswered;
 use crate::progress::{Progress, Stopped};
 use crate::reading::{embedded_catalogue, read_all_with};
-use axis::{AxisFault, Catalogue, Files};
+use answers::AssumptionEntry;
+use axis::{AssumedKeys, AxisFault, Catalogue, Files};
 use configurator::ProductId;
 use project::{Edit, Fault, Heading, edit};
 use quantities::Language;
@@ -93,6 +94,8 @@ pub struct Sweep {
     /// Place of the axis in the file, and `true` if there are several.
     axis: (usize, bool),
     columns: Vec<Column>,
+    /// Assumptions of the axis that no column states.
+    assumed: Vec<AssumedKeys>,
     /// Names of the recordings of the project and of the cells that were checked.
     recordings: BTreeSet<String>,
     /// Largest number of codes that a row is judged for.
@@ -146,6 +149,12 @@ impl Sweep {
     /// Iterates over the headings in their order, as keys with entries counted from one.
     pub fn keys(&self) -> impl Iterator<Item = &str> {
         self.columns.iter().map(Column::key)
+    }
+
+    /// Returns the assumptions that hold for every row: those of the project that no column states.
+    #[must_use]
+    pub fn assumptions(&self) -> Vec<AssumptionEntry> {
+        self.assumed.iter().map(|each| crate::answer::assumption(each.clone(), self.options.language)).collect()
     }
 
     /// Returns the numbers of the cells of a column, by its place among the headings, in the unit of its heading; `None` for a

@@ -21,7 +21,7 @@ use provenance::{Datum, Grade, Missing, Source, Sourced};
 use quantities::unit::{
     AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, DEGREE_CELSIUS, NEWTON_METRE_PER_AMPERE, ONE, REVOLUTION_PER_MINUTE, VOLT,
 };
-use quantities::{AngularVelocity, ElectricCurrent, Measure, Power, Time};
+use quantities::{AngularVelocity, ElectricCurrent, Measure, Power, Time, Torque};
 use std::cell::OnceCell;
 use trace::{Convex, Extent, Form, Node, Sought};
 
@@ -251,14 +251,35 @@ impl<'e> Currents<'e> {
         work: &mut Workings,
     ) {
         let source = Source::Model { name: "current" };
-        work.found("theta_g", &DEGREE_CELSIUS, friction.temperature.si(), what, &source, Grade::Estimated);
-        let what = Finding::LawOfFriction;
-        work.found("I_s", &AMPERE, friction.counted.si(), what, &source, Grade::Estimated);
-        let constant = friction.constant.si();
-        work.found("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, what, &source, Grade::Estimated);
+        explain_friction_of(friction, what, work);
         let text = "T/k_Tout + sigma*(I_s + K*abs(n))";
         work.formula(symbol, &AMPERE, self.in_state(node, friction), text, &source);
     }
+
+    /// Records the derivation of the current `I_perm` of the continuous torque `T_cont` at the mean speed `n_av`, with the
+    /// friction of the settled cycle.
+    pub(crate) fn explain_permitted(
+        &self,
+        (torque, speed): (Torque, AngularVelocity),
+        (model, actuator): (&HeatModel, &Parameters),
+        work: &mut Workings,
+    ) {
+        work.known("k_Tout", &NEWTON_METRE_PER_AMPERE, &actuator.torque_constant_out);
+        explain_friction_of(&self.warm, Finding::StateSettled, work);
+        let current = model.current(torque, speed, &self.warm).si();
+        let source = Source::Model { name: "current" };
+        work.estimate("I_perm", &AMPERE, current, "T_cont/k_Tout + I_s + K*abs(n_av)", &source);
+    }
+}
+
+/// Records the friction current of a state of the gear: temperature, counted starting current, and viscous constant.
+fn explain_friction_of(friction: &FrictionAt, state: Finding, work: &mut Workings) {
+    let source = Source::Model { name: "current" };
+    work.found("theta_g", &DEGREE_CELSIUS, friction.temperature.si(), state, &source, Grade::Estimated);
+    let what = Finding::LawOfFriction;
+    work.found("I_s", &AMPERE, friction.counted.si(), what, &source, Grade::Estimated);
+    let constant = friction.constant.si();
+    work.found("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, what, &source, Grade::Estimated);
 }
 
 /// Returns the mean heat of the brake's coil; zero without a brake or if its current is unknown.

@@ -200,7 +200,8 @@ fn supervised(case: &Case<'_>, work: &mut Workings) -> Result<Option<Check>, Mis
         let current = model.current(torque, axis.moments.speed_mean(), &currents.warm).si();
         current * current / stalled
     };
-    let low = filtered(limit.value).max(1.0).max(permitted.map_or(1.0, |published| published.overload));
+    let by_torque = filtered(limit.value).max(1.0);
+    let low = by_torque.max(permitted.map_or(1.0, |published| published.overload));
     let (_, band) = model.band(axis.moments.speed_mean());
     let by_heat = band * model.stall_loss().si() / (model.losses().copper_ohm() * stalled);
     let high = if limit.grade == Grade::Estimated { low.max(filtered(*upper)).max(by_heat) } else { low };
@@ -210,8 +211,20 @@ fn supervised(case: &Case<'_>, work: &mut Workings) -> Result<Option<Check>, Mis
     let what = Finding::OverloadLag;
     work.found("y", &ONE, peak.value, what, &source, Grade::Estimated);
     work.value("y");
-    let what = Finding::OverloadPermitted;
-    work.found("y_perm", &ONE, low, what, &source, Grade::Estimated);
+    if low > by_torque {
+        work.found("y_perm", &ONE, low, Finding::OverloadPermitted, &source, Grade::Estimated);
+    } else {
+        if work.is_on() {
+            workings::mean_speed(axis, work);
+            // Computed again for its derivation.
+            let speed = axis.moments.speed_mean();
+            let _ = actuator::continuous_torque_with(actuator, electrics.heat.as_ref().ok(), speed, work);
+            currents.explain_permitted((limit.value, speed), (model, actuator), work);
+            // The derivation of the continuous torque may have that of another ratio.
+            work.given("I_0", &AMPERE, stall);
+        }
+        work.estimate("y_perm", &ONE, low, "max((I_perm/I_0)^2, 1)", &source);
+    }
     work.limit("y_perm");
     let mut check = Comparison {
         id,

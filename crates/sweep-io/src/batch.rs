@@ -169,6 +169,12 @@ impl BatchSweep {
         self.sweep.keys()
     }
 
+    /// Returns the judging of the rows, without the columns of the batches.
+    #[must_use]
+    pub const fn sweep(&self) -> &sweep::Sweep {
+        &self.sweep
+    }
+
     /// Returns the names of the columns that are repeated in the answer.
     pub fn carried(&self) -> impl Iterator<Item = &str> {
         self.columns.carried.iter().map(|(_, name)| name.as_str())

@@ -38,7 +38,7 @@ const DAY_S: f64 = 86_400.0;
 /// Returns a call with what it plainly lacks, and a remark on each word that was added.
 pub(super) fn completed(arguments: Vec<OsString>, whole: &Command, language: Language) -> (Vec<OsString>, Vec<String>) {
     let (mut arguments, mut remarks) = (arguments, Vec::new());
-    for step in [with_ranges, with_step, with_own_values, with_whole_code, with_one_option] {
+    for step in [with_ranges, with_step, with_own_values, with_whole_codes, with_one_option] {
         let found = Called::of(&arguments, whole, language).and_then(|called| step(&called, &arguments));
         if let Some((changed, remark)) = found {
             arguments = changed;
@@ -179,38 +179,57 @@ pub(super) fn with_project(
     (arguments, Some(terminal::only_project(&project.to_string_lossy(), language)))
 }
 
-/// Returns a call about one actuator with the best of those that a part of a code names, for the axis of its project.
-fn with_whole_code(called: &Called<'_>, arguments: &[OsString]) -> Option<Completed> {
+/// Returns a call about actuators with the best of those that each part of a code names, for the axis of its project.
+fn with_whole_codes(called: &Called<'_>, arguments: &[OsString]) -> Option<Completed> {
     let language = called.language();
     let texts = texts(arguments)?;
     let takes_code = called.argument("code").is_some_and(|argument| matches!(argument.kind, ArgumentKind::Code));
     let project = called.projects.first().filter(|_| takes_code)?.to_str()?;
-    let mut codes = called.parts(&texts)?.into_iter().filter_map(|part| match part {
+    let codes = called.parts(&texts)?.into_iter().filter_map(|part| match part {
         Part::Bare(_, word) if seems_code(word) => Some(word),
         Part::Option(option, Some(value)) if option.get_long() == Some("code") => Some(value),
         _ => None,
     });
     // A stated option without a value names no actuator.
-    let part = codes.find(|code| !code.is_empty() && questions::read_code(code, language).is_err())?;
-    let pattern = questions::list::code_list::read_pattern(part, language).ok()?;
+    let parts: Vec<&str> =
+        codes.filter(|code| !code.is_empty() && questions::read_code(code, language).is_err()).collect();
+    let _ = parts.first()?;
     let project = ProjectOfCall::of_call(project, arguments, called)?;
-    let BestOfPattern { code, fitting, failing } = best_of_pattern(&project, &pattern)?;
+    let mut words: Vec<String> = texts.iter().map(|word| (*word).to_owned()).collect();
+    let mut remarks: Vec<String> = Vec::new();
+    for part in parts {
+        let pattern = questions::list::code_list::read_pattern(part, language).ok();
+        let Some(found) = pattern.and_then(|pattern| best_of_pattern(&project, &pattern)) else { continue };
+        let option = format!("--code={part}");
+        for word in &mut words {
+            if *word == part {
+                word.clone_from(&found.code);
+            } else if *word == option {
+                *word = format!("--code={}", found.code);
+            }
+        }
+        remarks.push(remark_on(part, &found, language));
+    }
+    (!remarks.is_empty()).then(|| (words.into_iter().map(OsString::from).collect(), Some(remarks.join("\n"))))
+}
+
+/// Describes the choice among the actuators that a part of a code names.
+fn remark_on(part: &str, found: &BestOfPattern, language: Language) -> String {
+    let BestOfPattern { code, fitting, failing } = found;
     let count = fitting.len() + failing.len();
-    let words = texts.iter().map(|word| if *word == part { code.as_str() } else { word });
-    let words = words.map(|word| word.replace(&format!("--code={part}"), &format!("--code={code}")));
     let part = quantities::seen(part);
-    let mut remark = match (count, fitting.is_empty()) {
-        (1, _) => terminal::only_of_pattern(&part, &code, language),
-        (_, true) => terminal::nearest_of_pattern(&part, &count, &code, language),
-        (_, false) => terminal::best_of_pattern(&part, &count, &code, language),
+    let remark = match (count, fitting.is_empty()) {
+        (1, _) => terminal::only_of_pattern(&part, code, language),
+        (_, true) => terminal::nearest_of_pattern(&part, &count, code, language),
+        (_, false) => terminal::best_of_pattern(&part, &count, code, language),
     };
     // The verdict is not that of every reading.
-    if !fitting.is_empty() && !failing.is_empty() {
-        let readings =
-            terminal::pattern_readings(&fitting.len(), &listed(&fitting), &failing.len(), &listed(&failing), language);
-        remark = format!("{remark}\n{readings}");
+    if fitting.is_empty() || failing.is_empty() {
+        return remark;
     }
-    Some((words.map(OsString::from).collect(), Some(remark)))
+    let readings =
+        terminal::pattern_readings(&fitting.len(), &listed(fitting), &failing.len(), &listed(failing), language);
+    format!("{remark}\n{readings}")
 }
 
 /// Largest number of readings of a code that a remark lists.

@@ -102,6 +102,11 @@ pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
             put(&mut arguments, place, &plain);
             word = plain;
         }
+        let before = text(&arguments, place - 1).unwrap_or_default();
+        if let Some(code) = of_frame_size(&word).filter(|_| before == "--code" || !before.starts_with('-')) {
+            put(&mut arguments, place, &code);
+            word = code;
+        }
         if word == "--lang" {
             if let Some(language) = text(&arguments, place + 1).and_then(|word| language_of(&word)) {
                 put(&mut arguments, place + 1, language.id());
@@ -130,6 +135,16 @@ pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
         place += 1;
     }
     arguments
+}
+
+/// Returns the part of a code that a frame size begins, as in `25A` or `32a-100-h`; `None` for a file.
+fn of_frame_size(word: &str) -> Option<String> {
+    let (size, _) = word.split_once('-').unwrap_or((word, ""));
+    let digits = size.strip_suffix(['a', 'A'])?;
+    let is_size = digits.len() == 2 && digits.chars().all(|sign| sign.is_ascii_digit());
+    let code = format!("CHA-{word}");
+    let is_read = || questions::list::code_list::read_pattern(&code, Language::default()).is_ok();
+    (is_size && is_read() && !Path::new(word).exists()).then_some(code)
 }
 
 /// Command that explains others.
@@ -212,6 +227,10 @@ mod tests {
             ("bericht --hilfe", "report --help"),
             ("size a.toml -v", "size a.toml --verbose"),
             ("size -v", "--version"),
+            ("check a.toml 25A", "check a.toml --code CHA-25A"),
+            ("compare a.toml 25a-50-h 32A", "compare a.toml --code CHA-25a-50-h --code CHA-32A"),
+            ("check a.toml --axis 14A", "check a.toml --axis 14A"),
+            ("code list 14a", "code list CHA-14a"),
             ("check --version", "--version"),
         ] {
             assert_eq!(call(written).join(" "), meant, "{written}");

@@ -2,6 +2,7 @@
 
 mod answers;
 mod api;
+mod assumed;
 mod behaviour;
 mod chosen;
 mod commission;

@@ -24,7 +24,8 @@ fn a_table_of_setpoints_has_both_ends_in_the_units_of_the_axis() {
     let folder = folder();
     let here = folder.path();
     let done = call(here, "moves arm.toml --every 2ms --out sp.csv");
-    assert_eq!((done.code, done.err.as_str()), (0, ""), "{}", done.out);
+    // The motion is that of the answer, with what is assumed about it.
+    assert!(done.code == 0 && done.err.starts_with("assumed: ") && !done.err.contains("error"), "{}", done.err);
     let text = fs::read_to_string(here.join("sp.csv")).unwrap();
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines[0], "time [s],position [deg],speed [1/min],acceleration [rad/s^2]");

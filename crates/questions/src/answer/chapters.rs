@@ -1,6 +1,6 @@
 //! Curves, torsion, bearing, battery and inertia as records.
 
-use super::check::check;
+use super::check::{assumptions, check};
 use crate::sizing_use::Candidate;
 use crate::torsion::TorsionAnswer;
 use actuator::{BatteryLife, CurvePoint, PerformanceCurve};
@@ -8,7 +8,7 @@ use answers::{
     Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Id, Inertia, Number, TorqueExceeded,
     Torsion, Units,
 };
-use axis::{BodyAnswer, InertiaAnswer};
+use axis::{AxisProject, BodyAnswer, InertiaAnswer};
 use configurator::ProductId;
 use provenance::Datum;
 use quantities::unit::{
@@ -86,13 +86,13 @@ pub fn torsion(id: &ProductId, answer: &TorsionAnswer, language: Language) -> To
 
 /// Returns the checks of the output bearing of each size.
 #[must_use]
-pub fn bearings(sizes: &[Candidate<'_>], language: Language) -> Bearings {
+pub fn bearings(sizes: &[Candidate<'_>], project: &AxisProject, language: Language) -> Bearings {
     let one = |candidate: &Candidate<'_>| BearingOfSize {
         size: candidate.product.size_name().to_owned(),
         fits: crate::chapters::bearing_checks(candidate).all(|check| check.verdict != sizing::Verdict::Fail),
         checks: crate::chapters::bearing_checks(candidate).map(|each| check(each, language)).collect(),
     };
-    Bearings { sizes: sizes.iter().map(one).collect() }
+    Bearings { sizes: sizes.iter().map(one).collect(), assumptions: assumptions(project, language) }
 }
 
 /// Returns the life of the battery.

@@ -87,11 +87,12 @@ pub(super) fn assumptions_about(
 }
 
 /// Returns the assumptions, with the keys that take their place and the values in effect.
-pub(super) fn assumptions(project: &AxisProject, language: Language) -> Vec<AssumptionEntry> {
+pub(crate) fn assumptions(project: &AxisProject, language: Language) -> Vec<AssumptionEntry> {
     project.assumed().into_iter().map(|each| assumption(each, language)).collect()
 }
 
-fn assumption(assumed: AssumedKeys, language: Language) -> AssumptionEntry {
+/// Returns an assumption with its keys and the value in effect.
+pub(crate) fn assumption(assumed: AssumedKeys, language: Language) -> AssumptionEntry {
     AssumptionEntry {
         key: (!assumed.keys.is_empty()).then(|| assumed.keys.join(", ")),
         value: assumed.value,

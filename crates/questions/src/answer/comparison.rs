@@ -1,11 +1,12 @@
 //! Comparisons and differences as records.
 
-use super::check::check;
+use super::check::{assumptions, check};
 use super::errata::cited_erratum;
 use super::judged::{fit, objections};
 use crate::compare::{CheckChange, Comparison, DatumRow, Difference, errata_of};
 use crate::sizing_use::Candidate;
 use answers::{CheckRow, DatumChange, Head, Id, Number};
+use axis::AxisProject;
 use project::InputChange;
 use quantities::Language;
 use words::check_title;
@@ -33,7 +34,7 @@ fn rows(rows: &[DatumRow]) -> Vec<answers::DatumRow> {
 
 /// Returns the comparison of several actuators.
 #[must_use]
-pub fn comparison(found: &Comparison<'_>, axis: &str, language: Language) -> answers::Comparison {
+pub fn comparison(found: &Comparison<'_>, project: &AxisProject, language: Language) -> answers::Comparison {
     let checks = found.checks.iter().map(|row| CheckRow {
         id: Id(row.id),
         title: check_title(row.id, language),
@@ -41,13 +42,14 @@ pub fn comparison(found: &Comparison<'_>, axis: &str, language: Language) -> ans
         answers: row.checks.iter().map(|each| each.as_ref().map(|each| check(each, language))).collect(),
     });
     answers::Comparison {
-        axis: axis.to_owned(),
+        axis: project.name.clone(),
         candidates: found.candidates.iter().map(|each| head(each, language)).collect(),
         better: found.better,
         demand: rows(&found.demand),
         data: rows(&found.data),
         errata: errata_of(&found.data).into_iter().map(|id| cited_erratum(id, language)).collect(),
         checks: checks.collect(),
+        assumptions: assumptions(project, language),
     }
 }
 

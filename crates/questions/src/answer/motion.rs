@@ -1,9 +1,10 @@
 //! The motion as a record.
 
+use super::check::assumption;
 use crate::moves::{Move, Moves};
 use crate::setpoints::Setpoints;
 use answers::{ColumnRole, Number, RecordedColumn, Recording, Segment, TextEncoding, UnitBy, Units};
-use axis::{RecordingRead, SegmentLoadKey};
+use axis::{AxisProject, RecordingRead, SegmentLoadKey};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, Unit};
 use recording::{Encoding, KnownBy, Role};
@@ -19,7 +20,16 @@ pub fn motion(moves: &Moves<'_>, setpoints: Option<answers::Setpoints>, language
         units: Units::of(&units),
         segments: moves.moves.iter().map(|each| segment(each, moves, language)).collect(),
         setpoints,
+        assumptions: Vec::new(),
     }
+}
+
+/// Returns the motion of a project with the assumptions that concern it.
+#[must_use]
+pub fn motion_of(project: &AxisProject, setpoints: Option<answers::Setpoints>, language: Language) -> answers::Motion {
+    let concerning = project.assumed().into_iter().filter(|each| each.assumption.concerns_motion());
+    let assumptions = concerning.map(|each| assumption(each, language)).collect();
+    answers::Motion { assumptions, ..motion(&crate::moves(project), setpoints, language) }
 }
 
 /// Returns the record of setpoints, of those in a file without their rows.

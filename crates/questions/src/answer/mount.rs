@@ -60,6 +60,7 @@ pub fn mount(mount: &Mount, asked: &MountInputs, axis: Option<&str>, language: L
             ("utilisation_together", &ONE),
         ]),
         notes: notes(mount, asked, axis, language),
+        assumptions: Vec::new(),
         pilots: mount.fits.iter().map(|fit| pilot(fit, language)).collect(),
         errata: errata(&[tolerances.clone(), dimensions.clone()].concat(), &joints, language),
         tolerances,

@@ -1,5 +1,6 @@
 //! A run of the digital twin as a record.
 
+use super::check::assumptions_about;
 use crate::simulate::{COMPARED, Shown, Simulated};
 use answers::{
     Compared, ControlLoop, DayOfOperation, EncoderFailure, EndOverrun, Figure, Figures, HourOfOperation, Id,
@@ -49,6 +50,7 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Simulation {
         gains_by_rule: !run.gains_stated,
         parameters: run.parameters.list().into_iter().map(|each| parameter(each, language)).collect(),
         notes: notes(run, language),
+        assumptions: assumptions_about(run.project, &run.candidate, language),
         trace: None,
     }
 }
@@ -367,7 +369,6 @@ fn parameter_title(key: &str, language: Language) -> String {
 
 fn notes(run: &Simulated<'_>, language: Language) -> Vec<String> {
     let mut notes = vec![simulation::band(language).to_owned()];
-    notes.extend(run.candidate.how_named(language));
     if let Some(volt) = run.supply_assumed_v {
         notes.push(simulation::supply_assumed(&format_significant(volt, 3, language), language));
     }

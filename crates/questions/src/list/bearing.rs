@@ -34,7 +34,7 @@ pub static ENTRY: Entry = Entry {
         let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
         asked.record_of_each(&axes, |project| {
             let found = sizes(project, asked.progress, asked.language)?;
-            Ok((answer::bearings(&found, asked.language), answers::Fit::of(fits(&found))))
+            Ok((answer::bearings(&found, project, asked.language), answers::Fit::of(fits(&found))))
         })
     }),
 };

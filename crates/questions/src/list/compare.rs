@@ -38,7 +38,7 @@ pub static ENTRY: Entry = Entry {
         inquiry.record_of_each(&axes, |project| {
             let found = args.comparison(project, inquiry)?;
             let best = found.candidates.iter().map(answer::fit).min().unwrap_or(Fit::DoesNotFit);
-            Ok((answer::comparison(&found, &project.name, inquiry.language), best))
+            Ok((answer::comparison(&found, project, inquiry.language), best))
         })
     }),
 };

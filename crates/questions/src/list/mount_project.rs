@@ -3,6 +3,7 @@
 use super::given::{arguments, code_among, some, text};
 use super::mount::{BORE, BORE_HOUSING, BORE_LOAD, bores, mounted};
 use super::{AXIS, CODE, Cost, Entry, Gives, Inquiry, Reads, Record, Unanswered};
+use crate::answer::assumptions;
 use crate::mount::{joint_loads, read_bore};
 use answers::Mount;
 use installation::fit::Bore;
@@ -48,5 +49,6 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<Mount, Unanswered> {
     let (_, project) = inquiry.axis(axis.as_deref(), Cost::Other)?;
     let loads = MountInputs { axis: joint_loads(&project, &code)?, ..MountInputs::default() };
     let question = bores(bore, bore_load, bore_housing, loads);
-    super::mount::under(&code, &question, Some(&project.name), inquiry.language)
+    let found = super::mount::under(&code, &question, Some(&project.name), inquiry.language)?;
+    Ok(Mount { assumptions: assumptions(&project, inquiry.language), ..found })
 }

@@ -34,7 +34,7 @@ pub static ENTRY: Entry = Entry {
         let args = Args::read(&asked.given)?;
         let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
         let found = args.setpoints(&project, asked)?.map(|found| answer::setpoints(&found, None));
-        Ok(Answer::record(&answer::motion(&moves(&project), found, asked.language)))
+        Ok(Answer::record(&answer::motion_of(&project, found, asked.language)))
     }),
 };
 

@@ -209,7 +209,7 @@ fn evaluated(
             ..line
         })
     });
-    Ok(SweepSummary { answers: rows.collect(), ..tally.summary(None, language) })
+    Ok(SweepSummary { answers: rows.collect(), ..tally.summary(&sweep, None) })
 }
 
 /// Opens the lines of a table, whose bytes are read at once.

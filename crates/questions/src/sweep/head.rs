@@ -10,7 +10,7 @@ use crate::list::Unanswered;
 use crate::reading::{Unread, read_all_with};
 use crate::sizing_use::products_of;
 use crate::subject::picked;
-use axis::{AxisProject, Files};
+use axis::{AssumedKeys, AxisProject, Files};
 use project::{Counted, Fault, Heading, Hint, Objection, TabularFault, Written, written};
 use std::collections::BTreeSet;
 
@@ -21,6 +21,8 @@ pub struct Head {
     /// Reason why the project cannot be used.
     refused: Option<Unanswered>,
     axis: Axis,
+    /// Assumptions of the axis without the table.
+    assumed: Vec<AssumedKeys>,
     /// Columns with readable headings.
     columns: Vec<Option<Column>>,
     faults: TableFaults,
@@ -84,6 +86,10 @@ impl Head {
             Ok(projects) => Some(projects.iter().flat_map(of).collect()),
             Err(_) => (!may_name_products(text.as_bytes())).then(|| options.catalogue.names()),
         };
+        let assumed = match &projects {
+            Ok(projects) => of_axis(projects, &options),
+            Err(_) => Vec::new(),
+        };
         let (axis, refused) = match projects {
             Ok(projects) => of_projects(projects, &options),
             Err(why) => (of_text(known.as_deref().unwrap_or_default(), options.axis.as_deref()), Some(why)),
@@ -92,6 +98,7 @@ impl Head {
             text: text.to_owned(),
             refused,
             axis,
+            assumed,
             columns: Vec::new(),
             faults: TableFaults::default(),
             decimals: Decimals::of(&options),
@@ -263,11 +270,14 @@ impl Head {
         }
         match self.axis.place {
             Some(place) if why.is_empty() => {
+                let columns: Vec<Column> = self.columns.into_iter().flatten().collect();
+                let is_stated = |key: &String| columns.iter().any(|column| column.key() == key);
                 let sweep = Sweep {
+                    assumed: self.assumed.into_iter().filter(|each| !each.keys.iter().any(is_stated)).collect(),
                     text: self.text,
                     files,
                     axis: (place, self.axis.is_of_several),
-                    columns: self.columns.into_iter().flatten().collect(),
+                    columns,
                     recordings: self.recordings,
                     codes: self.codes,
                     options: self.options,
@@ -286,6 +296,16 @@ impl Axis {
     /// Returns the prefix of the axis in paths of the file; `None` if the axis is not known.
     fn path(self) -> Option<String> {
         if self.is_of_several { self.place.map(|place| format!("axis[{}].", place + 1)) } else { Some(String::new()) }
+    }
+}
+
+/// Returns the assumptions of the only axis, or of the named one.
+fn of_axis(projects: &[AxisProject], options: &Options) -> Vec<AssumedKeys> {
+    let named = |project: &&AxisProject| options.axis.as_deref().is_none_or(|name| project.name == name);
+    let mut found = projects.iter().filter(named);
+    match (found.next(), found.next()) {
+        (Some(project), None) => project.assumed(),
+        _ => Vec::new(),
     }
 }
 

@@ -1,8 +1,7 @@
 //! Numbers of the results of a sweep.
 
-use super::{Answer, Every, Judged, OnFront, Wanted};
-use answers::{Id, Number};
-use quantities::Language;
+use super::{Answer, Every, Judged, OnFront, Sweep, Wanted};
+use answers::{AssumptionEntry, Id, Number};
 use schemars::JsonSchema;
 use serde::Serialize;
 use sizing::{CheckId, Fit, Verdict};
@@ -35,6 +34,8 @@ pub struct SweepSummary {
     pub further: u64,
     /// The answers of the rows; empty where a file holds them.
     pub answers: Vec<SweepRow>,
+    /// Assumptions that hold for every row: those of the project that no column states.
+    pub assumptions: Vec<AssumptionEntry>,
 }
 
 /// Rows that miss by a check.
@@ -216,7 +217,8 @@ impl Tally {
 
     /// Returns the summary in a language.
     #[must_use]
-    pub fn summary(&self, file: Option<String>, language: Language) -> SweepSummary {
+    pub fn summary(&self, sweep: &Sweep, file: Option<String>) -> SweepSummary {
+        let language = sweep.options().language;
         let title = |id: Option<CheckId>| {
             id.map_or_else(|| words::sweeps::no_class(language).to_owned(), |id| words::check_title(id, language))
         };
@@ -242,6 +244,7 @@ impl Tally {
             not_judged,
             further: self.further + beyond,
             answers: Vec::new(),
+            assumptions: sweep.assumptions(),
         }
     }
 }

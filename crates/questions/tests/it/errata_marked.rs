@@ -46,7 +46,7 @@ fn a_comparison_marks_what_is_not_printed() {
     for pair in codes().chunks(2).filter(|pair| pair.len() == 2) {
         let ids = [(&pair[0]).into(), (&pair[1]).into()];
         let found = compare(&project, &ids, &Progress::endless()).unwrap();
-        let record = answer::comparison(&found, "", Language::En);
+        let record = answer::comparison(&found, &project, Language::En);
         for row in &record.data {
             for (place, value) in row.values.iter().enumerate() {
                 let Some(value) = value else { continue };
