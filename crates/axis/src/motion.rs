@@ -16,7 +16,7 @@ use motion::{Closing, Given, ManualMove, Motion, MotionFault, MoveFault, Segment
 use project::choices::{Law, Spline};
 use project::sections::{Fields, Segment, Stated, StatedField};
 use project::{Fault, Hint, SegmentLaw};
-use quantities::{Angle, Length, Measure, Time};
+use quantities::{Angle, Dimension, Length, Measure, Time, Unit};
 use sizing::Axis;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -33,6 +33,20 @@ impl SegmentSource<'_> {
     /// Returns `true` if its torque is recorded.
     fn has_torque(&self) -> bool {
         self.recording.is_some_and(|read| read.recording.torque.is_some())
+    }
+
+    /// Returns the columns of its recording that are not used and may hold a torque by their unit; without one all that are
+    /// not used.
+    fn torque_columns(&self) -> Vec<String> {
+        let Some(read) = self.recording else { return Vec::new() };
+        let unused = &read.recording.unused;
+        let is_torque = |heading: &&String| {
+            recording::name_and_unit(heading)
+                .1
+                .is_some_and(|unit| Unit::of_dimension(Dimension::Torque, &unit).is_some())
+        };
+        let of_unit: Vec<String> = unused.iter().filter(is_torque).cloned().collect();
+        if of_unit.is_empty() { unused.clone() } else { of_unit }
     }
 
     /// Returns `true` if it states its motion along the line of the mechanism.
@@ -338,7 +352,8 @@ fn specs(
         for segment in &segments {
             without_effect(segment, driven, report);
             if driven.torque_is_recorded() && !segment.has_torque() && states_its_motion(segment) {
-                report.fault(segment.law.span(), Fault::JointWithoutTorque, None);
+                let fault = Fault::JointWithoutTorque { columns: segment.torque_columns() };
+                report.fault(segment.law.span(), fault, None);
             }
         }
     }

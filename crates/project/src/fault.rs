@@ -299,7 +299,10 @@ pub enum Fault {
         most_deg: f64,
     },
     /// A joint with a segment that is not recorded with its torque.
-    JointWithoutTorque,
+    JointWithoutTorque {
+        /// Columns of the recording that may hold it, as a project names them.
+        columns: Vec<String>,
+    },
     /// A point of a cam table in other quantities than the first one.
     UnlikeFirstPoint,
     /// Both the DC link and the mains are stated.
@@ -474,7 +477,7 @@ impl Fault {
             Self::ReplacesEverything { .. } => "replaces_everything",
             Self::BeltOrTeeth => "belt_or_teeth",
             Self::ToothAngle { .. } => "tooth_angle",
-            Self::JointWithoutTorque => "joint_without_torque",
+            Self::JointWithoutTorque { .. } => "joint_without_torque",
             Self::UnlikeFirstPoint => "unlike_first_point",
             Self::SupplyAndMains => "supply_and_mains",
             Self::WrongOrder { .. } => "wrong_order",

@@ -59,34 +59,29 @@ fn is_of(column: &PreviewColumn, dimension: Dimension) -> bool {
     })
 }
 
-/// Returns the column of a role: the one recognised by its name, else the only other one with a unit of the role. A motion is
-/// taken by its unit only where no name states one, a position before a speed, and a torque in Nm alone.
+/// Returns the column that is recognised for a role. A name that is not recognised may denote another quantity in the same
+/// unit, a limit or a deviation: such a column is stated by the user.
 fn column_of(preview: &Preview, role: Role) -> Option<&PreviewColumn> {
-    let named = |role: Role| preview.columns.iter().find(|column| column.role == Some(role));
-    let by_unit = |dimensions: &[Dimension]| {
-        let has_unit = |column: &&PreviewColumn| dimensions.iter().any(|dimension| is_of(column, *dimension));
-        // Of a quantity of the motor the ratio to the output is not known.
-        let is_other = |column: &&PreviewColumn| column.role.is_none() && !recording::is_of_motor(&column.heading);
-        let mut others = preview.columns.iter().filter(is_other).filter(has_unit);
-        others.next().filter(|_| others.next().is_none())
-    };
-    let is_named = || named(Role::Position).or_else(|| named(Role::Speed)).is_some();
-    named(role).or_else(|| match role {
-        Role::Time => by_unit(role.dimensions()),
-        Role::Position | Role::Speed if is_named() => None,
-        Role::Position => by_unit(role.dimensions()),
-        Role::Speed if column_of(preview, Role::Position).is_some() => None,
-        Role::Speed => by_unit(role.dimensions()),
-        Role::Torque => by_unit(&[Dimension::Torque]),
-    })
+    preview.columns.iter().find(|column| column.role == Some(role))
 }
 
-/// Returns the kind that fits the columns of a recording.
+/// Returns `true` if a column may be the torque of the load, recognised or not: by its unit or by its name.
+fn may_be_torque(column: &PreviewColumn) -> bool {
+    let name = column.heading.to_lowercase();
+    let is_named = || Role::Torque.names().iter().any(|known| known.len() > SYMBOL_MOST && name.contains(known));
+    column.role == Some(Role::Torque) || is_of(column, Dimension::Torque) || is_named()
+}
+
+/// Length of the longest symbol in letters; longer names of a quantity are words.
+const SYMBOL_MOST: usize = 3;
+
+/// Returns the kind that fits the columns of a recording: with a torque, even if it is not recognised, a joint, so that none
+/// is left out of the load unseen.
 fn base(preview: &Preview) -> &'static str {
     let is_along = |role: Role, dimension| column_of(preview, role).is_some_and(|column| is_of(column, dimension));
     if is_along(Role::Position, Dimension::Length) || is_along(Role::Speed, Dimension::Velocity) {
         "belt"
-    } else if column_of(preview, Role::Torque).is_some() {
+    } else if preview.columns.iter().any(may_be_torque) {
         "joint"
     } else {
         "load"
@@ -97,11 +92,8 @@ fn base(preview: &Preview) -> &'static str {
 fn segment(preview: &Preview, named: &str, language: Language) -> String {
     let quoted = |text: &str| format!("{text:?}");
     let mut lines = vec!["[[motion]]".to_owned(), "law = \"recorded\"".to_owned(), format!("file = {}", quoted(named))];
-    let is_used = |column: &PreviewColumn| {
-        Role::ALL.iter().any(|role| column_of(preview, *role).is_some_and(|used| std::ptr::eq(used, column)))
-    };
-    let is_unused = |column: &&PreviewColumn| !is_used(column);
-    let unused: Vec<&str> = preview.columns.iter().filter(is_unused).map(|column| column.heading.as_str()).collect();
+    let unused = preview.columns.iter().filter(|column| column.role.is_none());
+    let unused: Vec<&str> = unused.map(|column| column.heading.as_str()).collect();
     for role in Role::ALL {
         let key = match role {
             Role::Time => "time",
@@ -111,9 +103,6 @@ fn segment(preview: &Preview, named: &str, language: Language) -> String {
         };
         let column = column_of(preview, role);
         lines.push(match column {
-            Some(column) if column.role.is_none() => {
-                format!("columns.{key} = {}  # {}", quoted(&column.name), recorded_template::by_its_unit(language))
-            }
             Some(column) => format!("columns.{key} = {}", quoted(&column.name)),
             None => {
                 let remark = match unused.as_slice() {

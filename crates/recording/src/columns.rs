@@ -4,7 +4,7 @@ use crate::collected::FaultCollector;
 use crate::faults::{Fault, NearColumn, excerpt};
 use crate::layout::{Layout, Role};
 use crate::limits::NAMES_MAX;
-use crate::names::{Named, Sureness, axis_of, before_nanoseconds, before_seconds, is_share};
+use crate::names::{Named, Sureness, axis_of, before_nanoseconds, before_seconds, factor_in, is_share};
 use crate::series::{Along, ColumnRead, KnownBy};
 use quantities::{Unit, seen};
 
@@ -139,6 +139,9 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut FaultColl
         if role == Role::Time && found.is_empty() {
             found.extend(seconds(headings));
         }
+        if role != Role::Time {
+            found.extend(repeated(headings, &found));
+        }
         more.keep_first(role, headings, &mut found);
         match found.as_slice() {
             [] => {}
@@ -186,7 +189,7 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut FaultColl
 }
 
 /// Returns the fault of columns of different axes that were chosen by their usual names: `axis1.pos` and `axis2.tau`.
-fn several_axes(headings: &[Heading], picks: &Picks, taken: &[(usize, Role)]) -> Option<Fault> {
+pub(crate) fn several_axes(headings: &[Heading], picks: &Picks, taken: &[(usize, Role)]) -> Option<Fault> {
     let chosen: Vec<(Role, &Heading)> = Role::ALL
         .into_iter()
         .zip(picks)
@@ -218,6 +221,20 @@ impl MoreTime {
             self.twins = found.drain(1..).map(|pick| pick.index).collect();
         }
     }
+}
+
+/// Returns the columns that a data frame renamed because their headings equal that of the only chosen one: pandas writes
+/// `q [deg].1`, polars `q [deg]_duplicated_0`.
+fn repeated(headings: &[Heading], found: &[Pick]) -> Vec<Pick> {
+    let [one] = found else { return Vec::new() };
+    let Some(chosen) = headings.get(one.index) else { return Vec::new() };
+    let is_repeated = |heading: &Heading| {
+        let behind = heading.written.strip_prefix(chosen.written.as_str());
+        let number = behind.and_then(|rest| rest.strip_prefix('.').or_else(|| rest.strip_prefix("_duplicated_")));
+        number.is_some_and(|number| !number.is_empty() && number.bytes().all(|digit| digit.is_ascii_digit()))
+    };
+    let all = headings.iter().enumerate().filter(|(_, heading)| is_repeated(heading));
+    all.map(|(index, _)| Pick { index, ..one.clone() }).collect()
 }
 
 /// Returns the column with the number given in a layout, `#3`.
@@ -389,6 +406,10 @@ pub(crate) fn decide(
     let column = excerpt(&heading.written);
     let mut decided: Option<(&'static Unit, KnownBy)> = None;
     let mut sound = true;
+    if let Some(text) = factor_in(&heading.named.bare) {
+        faults.push(Fault::UnitScaled { column: column.clone(), text: excerpt(text) });
+        sound = false;
+    }
     let said: Vec<(KnownBy, Said)> = said.into_iter().collect();
     let is_stated = said.iter().any(|(by, _)| *by == KnownBy::Layout);
     for (by, said) in said {

@@ -4,7 +4,7 @@ use crate::ahead::Ahead;
 use crate::cells::CellSplitter;
 use crate::clock::is_clock;
 use crate::collected::FaultCollector;
-use crate::columns::{Heading, Pick, pick, writable};
+use crate::columns::{Heading, Pick, pick, several_axes, writable};
 use crate::csv::advance;
 use crate::encoding;
 use crate::faults::{Fault, excerpt};
@@ -94,7 +94,11 @@ pub fn preview_parquet(file: &Bytes) -> Result<Preview, Fault> {
 }
 
 fn of_headings(headings: &[Heading]) -> Preview {
-    let (picks, _) = pick(headings, &Layout::default(), &mut FaultCollector::default());
+    let (mut picks, _) = pick(headings, &Layout::default(), &mut FaultCollector::default());
+    // Of the columns of several axes none is recognised but the time.
+    if several_axes(headings, &picks, &[]).is_some() {
+        picks.iter_mut().skip(1).for_each(|pick| *pick = None);
+    }
     let picked = |index: usize| -> Option<(Role, &Pick)> {
         let mut found = Role::ALL.into_iter().zip(&picks).filter_map(|(role, pick)| Some((role, pick.as_ref()?)));
         found.find(|(_, pick)| pick.index == index)

@@ -14,7 +14,7 @@ const ACTUAL_POSITION: u32 = 482;
 const CIA_402: [&str; 3] = ["606b", "606c", "6069"];
 
 /// Words of the motor and of the shaft in front of the gear.
-const WORDS: [&str; 2] = ["rotor", "mtr"];
+const WORDS: [&str; 6] = ["rotor", "mtr", "airgap", "electromagnetic", "luftspaltmoment", "luftspaltdrehmoment"];
 
 /// Beginnings of German compounds of the input shaft: `Antriebsdrehzahl`, `Eingangsmoment`.
 const COMPOUNDS: [&str; 6] = [
@@ -35,6 +35,19 @@ const INDICES: [&str; 3] = ["m", "an", "in"];
 /// Words of the input shaft before a quantity: `input speed`, `gear_input_torque`.
 const INPUTS: [&str; 3] = ["input", "eingang", "antrieb"];
 
+/// Words that place a quantity in front of the gear: `Drehzahl vor Getriebe`, `torque before gear`, `air gap torque`.
+const IN_FRONT: [(&str, &str); 9] = [
+    ("vor", "getriebe"),
+    ("vor", "dem"),
+    ("before", "gear"),
+    ("before", "gearbox"),
+    ("before", "the"),
+    ("gear", "input"),
+    ("gearbox", "input"),
+    ("air", "gap"),
+    ("inneres", "drehmoment"),
+];
+
 /// Quantities of a shaft.
 const QUANTITIES: [&str; 9] =
     ["speed", "velocity", "torque", "position", "angle", "rpm", "drehzahl", "moment", "drehmoment"];
@@ -53,7 +66,7 @@ pub fn is_of_motor(heading: &str) -> bool {
     };
     let is_pair = |(first, second): (&str, &str)| {
         let is_input = || QUANTITIES.contains(&second) && INPUTS.contains(&first);
-        if is_input() {
+        if is_input() || IN_FRONT.contains(&(first, second)) {
             return true;
         }
         let is_parameter = || second.parse().is_ok_and(|number: u32| SINAMICS.contains(&number));
@@ -123,6 +136,11 @@ mod tests {
             "gear_input_torque",
             "rotor position",
             "mtr_spd",
+            "Drehzahl vor Getriebe [1/min]",
+            "torque before gearbox [Nm]",
+            "air gap torque [Nm]",
+            "electromagnetic torque",
+            "Luftspaltmoment [Nm]",
         ] {
             assert!(is_of_motor(heading), "{heading}");
         }
@@ -149,6 +167,8 @@ mod tests {
             "q_m1",
             "motion",
             "Drehzahl",
+            "Moment nach Getriebe [Nm]",
+            "torque behind gear",
         ] {
             assert!(!is_of_motor(heading), "{heading}");
         }

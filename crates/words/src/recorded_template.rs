@@ -7,7 +7,6 @@ texts! {
         "not recognised; other columns: {unused}" | "nicht erkannt; übrige Spalten: {unused}";
     none_left =
         "the recording has no such column" | "die Aufzeichnung hat keine solche Spalte";
-    by_its_unit = "by its unit; the name is not recognised" | "nach der Einheit; der Name ist nicht erkannt";
     no_unit(heading) =
         "unit of \"{heading}\", which the file does not state" | "Einheit von „{heading}“, die die Datei nicht nennt";
     not_of_kind(kind) =

@@ -273,34 +273,83 @@ fn the_calls_below_the_help_work_in_an_empty_folder() {
     }
 }
 
-/// The columns of a recording are those of their names or of their units: a torque that the file states is never left out
-/// of the load, whatever its heading.
+/// The columns of a recording are those of their names, labels of axes and words of a logger aside. A column that no name
+/// states is named by the user: it may hold a limit, a deviation or the quantity of another joint.
 #[test]
-fn a_recording_is_read_alike_under_every_heading() {
+fn a_recording_is_read_alike_under_every_heading_or_asks_for_its_columns() {
     let folder = tempfile::tempdir().unwrap();
     let mut first = None;
-    for (place, head) in [
-        "time_s,position_deg,torque_nm",
-        "t_log [s],J3 angle [deg],J3 torque [Nm]",
-        "clock [s],swivel [deg],gearbox out [Nm]",
-        "time [s],angle [deg],J3 load [Nm]",
-        "log time [s],A1 Position [deg],A1 Drehmoment [Nm]",
+    for (place, (head, stated)) in [
+        ("time_s,position_deg,torque_nm", ""),
+        ("t_log [s],J3 angle [deg],J3 torque [Nm]", ""),
+        ("log time [s],A1 Position [deg],A1 Drehmoment [Nm]", ""),
+        ("time [s],angle [deg],gearbox out [Nm]", "torque=gearbox out [Nm]"),
+        ("time [s],angle [deg],J3 load [Nm]", "torque=J3 load [Nm]"),
+        ("time [s],angle [deg],torque limit [Nm]", "torque=torque limit [Nm]"),
+        ("time [s],angle [deg],Reibmoment [Nm]", "torque=Reibmoment [Nm]"),
+        ("time [s],following error [deg],torque [Nm]", "position=following error [deg]"),
+        ("time [s],shoulder_pos [deg],torque [Nm]", "position=shoulder_pos [deg]"),
+        ("clock [s],angle [deg],torque [Nm]", "time=clock [s]"),
     ]
     .into_iter()
     .enumerate()
     {
-        let turned = |row: i32| 40.0 * (1.0 - (f64::from(row) * 0.0314).cos());
-        let torque = |row: i32| 12.0 + 9.0 * (f64::from(row) * 0.0314).cos();
+        let turned = |row: i32| 40.0 * (1.0 - (f64::from(row) * std::f64::consts::TAU / 200.0).cos());
+        let torque = |row: i32| 12.0 + 9.0 * (f64::from(row) * std::f64::consts::TAU / 200.0).cos();
         let rows = (0..=200).map(|row| format!("{:.2},{:.4},{:.3}\n", f64::from(row) * 0.01, turned(row), torque(row)));
         let name = format!("r{place}.csv");
         std::fs::write(folder.path().join(&name), format!("{head}\n{}", rows.collect::<String>())).unwrap();
-        let found = run_at(folder.path(), &["size", &name, "--json", "--top", "1"]);
-        assert!(found.code == 0, "{head}: {}", found.err);
+        let mut call = vec!["size", &name, "--json", "--top", "1"];
+        let set = format!("motion.1.columns.{stated}");
+        if !stated.is_empty() {
+            let refused = run_at(folder.path(), &call);
+            let (_, column) = stated.split_once('=').unwrap();
+            assert!(refused.code == 2 && refused.out.contains(column), "{head}: {}{}", refused.out, refused.err);
+            call.extend(["--set", &set]);
+        }
+        let found = run_at(folder.path(), &call);
+        assert!(found.code == 0, "{head}: {}{}", found.out, found.err);
         let record: serde_json::Value = serde_json::from_str(&found.out).unwrap();
         let best = &record["ranking"][0];
         let told = (record["answer"].clone(), best["demand"].clone(), best["utilisation"].clone());
         assert!(told.0.is_string(), "{head}");
         assert_eq!(first.get_or_insert_with(|| told.clone()), &told, "{head}");
+    }
+}
+
+/// Values that the heading does not state in its unit, and columns of several joints, are refused, whatever the call states.
+#[test]
+fn a_factor_in_a_heading_and_columns_of_two_joints_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    for (place, (head, stated)) in [
+        ("time [s],angle [deg],torque x10 [Nm]", "torque=torque x10 [Nm]"),
+        ("time [s],angle [deg],torque*10 [Nm]", ""),
+        ("time [s],angle*100 [deg],torque [Nm]", ""),
+        ("time [s],angle [deg],torque [Nm] (scaled 0.1)", "torque=torque [Nm] (scaled 0.1)"),
+        ("time x10 [s],angle [deg],torque [Nm]", "time=time x10 [s]"),
+        ("time [s],q1 [deg],tau2 [Nm]", ""),
+        ("time [s],A1 Position [deg],A2 Drehmoment [Nm]", ""),
+        ("time [s],angle [deg],torque [Nm],torque [Nm].1", ""),
+        ("time [s],angle [deg],angle [deg]_duplicated_0,torque [Nm]", ""),
+        ("time [s],Winkel vor Getriebe [deg],torque [Nm]", "position=Winkel vor Getriebe [deg]"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let turned = |row: i32| 40.0 * (1.0 - (f64::from(row) * std::f64::consts::TAU / 200.0).cos());
+        let more = head.split(',').count() - 3;
+        let row =
+            |row: i32| format!("{:.2},{:.4},{:.3}{}\n", f64::from(row) * 0.01, turned(row), 12.0, ",5".repeat(more));
+        let name = format!("r{place}.csv");
+        std::fs::write(folder.path().join(&name), format!("{head}\n{}", (0..=200).map(row).collect::<String>()))
+            .unwrap();
+        let set = format!("motion.1.columns.{stated}");
+        let mut call = vec!["size", &name];
+        if !stated.is_empty() {
+            call.extend(["--set", &set]);
+        }
+        let found = run_at(folder.path(), &call);
+        assert!(found.code == 2 && found.out.is_empty(), "{head}: {}\n{}", found.out, found.err);
     }
 }
 

@@ -498,7 +498,7 @@ fn other_faults() -> Vec<Fault> {
         Fault::ReplacesEverything { key: "radial_force" },
         Fault::BeltOrTeeth,
         Fault::ToothAngle { key: "helix_angle", most_deg: x(60.0) },
-        Fault::JointWithoutTorque,
+        Fault::JointWithoutTorque { columns: vec!["gearbox out [Nm]".to_owned()] },
         Fault::UnknownUnit { written: word() },
     ]);
     all
