@@ -296,7 +296,7 @@ fn example(kind: &str, found: &Template, language: Language) -> Markup {
     let about = crate::start::about(&found.text, kind);
     let l = language.id();
     let drawing = crate::sketch::still(crate::start::mechanism_of(&found.text).as_deref());
-    let inside = html! { span.sketch aria-hidden="true" { (drawing) } span { (about) @if found.recording.is_none() { br; span.small hx-get={ "/example?kind=" (kind) "&lang=" (l) } hx-trigger="load" hx-target="this" hx-swap="innerHTML" hx-include="unset" hx-sync="this" hx-morph-skip-children="" {} } } };
+    let inside = html! { span.sketch aria-hidden="true" { (drawing) } span { (about) @if found.recording.is_none() { span.small.two-lines hx-get={ "/example?kind=" (kind) "&lang=" (l) } hx-trigger="load" hx-target="this" hx-swap="innerHTML" hx-include="unset" hx-sync="this" hx-morph-skip-children="" {} } } };
     html! {
         @if found.recording.is_none() { a.card href={ "/?new=" (kind) "&lang=" (l) } { (inside) } }
         @else { form method="post" action={ "/example?kind=" (kind) "&lang=" (l) } { button.card type="submit" { (inside) } } }

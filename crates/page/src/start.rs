@@ -449,7 +449,7 @@ pub(crate) fn example_verdict(call: &Call<'_>, shell: &dyn Shell, progress: &Pro
             Some(best) => span class=(crate::shown::class(best)) { (best.id) },
             None => span.fail { (capitalised(terminal::no_actuator_fits(l))) },
         }
-        " " span.small { (page::cycle_of(&cycle, l)) }
+        " " span { (page::cycle_of(&cycle, l)) }
     }
 }
 
