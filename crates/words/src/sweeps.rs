@@ -28,6 +28,9 @@ texts! {
     row(row) = "row {row}" | "Zeile {row}";
     further = "further reasons" | "weitere Gründe";
     keys(keys) = "columns: {keys}" | "Spalten: {keys}";
+    columns_meant(columns, keys) =
+        "columns that are not named as keys, {columns}, state: {keys}"
+        | "nicht als Schlüssel benannte Spalten, {columns}, geben an: {keys}";
     resumed(parts, rows) =
         "{parts} part with {rows} rows of an interrupted run is kept"
         | "{parts} Teil mit {rows} Zeilen eines unterbrochenen Laufs wird übernommen",

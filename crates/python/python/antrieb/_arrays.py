@@ -9,6 +9,7 @@ from __future__ import annotations
 import dataclasses
 import difflib
 import math
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -273,11 +274,53 @@ def _column(given: Any, unit: Any, plain: str, name: str, count: int | None) -> 
         own, values = "s", seconds(values, name, instants=True)
     else:
         titles, values = _headed(values, name)
+        titles, stated = _units_of_headings(titles, values, name)
+        if stated is not None and unit is not None and stated != own:
+            raise TypeError(f"{name} has the unit {stated} in its headings already; leave out {name}_unit")
+        own = stated or own
     rows = _rows(values, name)
     if count is not None and len(rows) != count:
         turned = f"; its rows are joints, hand over {name}.T" if rows and len(rows[0]) == count else ""
         raise fault(f"{name} has {len(rows)} rows for {count} instants{turned}", "give a row for each instant")
     return Column(name, own, rows, titles)
+
+
+_HEADING = re.compile(r"(.*?)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\))\s*")
+"""A name, and a unit in brackets behind it."""
+
+
+def _units_of_headings(titles: list[str] | None, values: Any, name: str) -> tuple[list[str] | None, str | None]:
+    """The headings without their units, and the unit that all of them state; of a series its name is the heading.
+
+    Raises:
+        AntriebError: The headings state different units, or some of them none.
+    """
+    label = getattr(values, "name", None) if titles is None else None
+    heads = [label] if titles is None and isinstance(label, str) else titles or []
+    parts = [_HEADING.fullmatch(head) for head in heads]
+    found = [part[2] or part[3] if part is not None and _is_unit(part[2] or part[3] or "") else None for part in parts]
+    # What square brackets hold is meant as a unit; unknown it would be that of the argument.
+    unknown = next((head for head, part, unit in zip(heads, parts, found, strict=True) if unit is None and part is not None and _is_meant(part[2])), None)
+    if unknown is not None:
+        raise fault(f"{name}: the unit of the column {unknown!r} is not known", "write one that `antrieb units` lists, or leave it out of the heading")
+    units = list(dict.fromkeys(found))
+    if units in ([], [None]):
+        return titles, None
+    if len(units) > 1:
+        shown = ", ".join(f"{head!r}" for head in heads[:6])
+        raise fault(f"{name}: its columns are not all in one unit: {shown}", "convert them into one unit, and write it into each heading or into none")
+    return (None if titles is None else [part[1] if part is not None else head for part, head in zip(parts, titles, strict=True)]), units[0]
+
+
+def _is_meant(inside: str | None) -> bool:
+    """Returns true if square brackets hold more than an index."""
+    return inside is not None and not inside.strip().isdigit() and bool(inside.strip())
+
+
+def _is_unit(text: str) -> bool:
+    from antrieb._trace import quantities
+
+    return bool(text.strip()) and not text.strip().isdigit() and any(_antrieb.unit_in_si(each.quantity, text.strip()) is not None for each in quantities())
 
 
 def _mechanisms(given: Any) -> None:

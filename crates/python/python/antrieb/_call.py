@@ -458,7 +458,9 @@ def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
     found: list[tuple[str, str]] = []
     for name, given in values:
         # An array without a dimension is one value.
-        value: Any = given[()] if getattr(given, "ndim", None) == 0 and hasattr(given, "__array_interface__") else given
+        is_scalar = getattr(given, "ndim", None) == 0 and hasattr(given, "__array_interface__")
+        # A text of NumPy is a text.
+        value: Any = str(given) if isinstance(given, str) and is_scalar else given[()] if is_scalar else given
         if name in WHOLE:
             _whole(value, name)
         if name in WORDS:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from html import escape
@@ -200,6 +200,9 @@ def _numbers(value: Any, name: str) -> float | tuple[float, ...]:
     if isinstance(value, (str, bytes)) or value is None or isinstance(value, bool):
         raise TypeError(f"{name}: numbers are expected, not {type(value).__name__}")
     ordered(value, name)
+    if isinstance(value, Mapping) or hasattr(value, "columns") or hasattr(value, "column_names"):
+        # Their iteration yields headings, which may be numbers.
+        raise TypeError(f"{name}: numbers are expected, not a table ({type(value).__name__}); hand over one column, such as table['mass']")
     refuse_times(value, name)
     # Of a masked array; that of a series is a method.
     mask = getattr(value, "mask", None)
@@ -254,6 +257,7 @@ def of_pint(value: Any, name: str = "q") -> Q | None:
     if isinstance(value, Q) or not (hasattr(value, "magnitude") and hasattr(value, "units")):
         return None
     _counted(value, name)
+    _turning(value, name)
     unit, numbers = _of_pint(value.units, name), _numbers(value.magnitude, name)
     if unit == "g" and "gram" in format(value.units, "C"):
         # As an acceleration the sign would be that of gravity.
@@ -271,6 +275,21 @@ def _counted(value: Any, name: str) -> None:
     found = [part for part in parts if part in _COUNTS]
     if found and len(parts) > 1:
         raise fault(f"{name}: {value.units} has the unit {found[0]}, which is none of a project", "write it without")
+
+
+def _turning(value: Any, name: str) -> None:
+    """Refuses a rate per minute without an angle: to pint 1/min is a radian per minute, in a project file a revolution.
+
+    Raises:
+        AntriebError: It is one, alone or below a current, a voltage or a torque.
+    """
+    written = format(value.units, "C").replace(" ", "")
+    is_rate = written == "1/minute" or ("minute" in written and "/minute" not in written and re.search(r"ampere|volt|newton", written))
+    if is_rate and not _ANGLES.search(written):
+        raise fault(
+            f"{name}: {value.units} has no angle: to pint it is per radian, in a project file per revolution, a factor of 2 pi",
+            "write the angle, as in ureg.rpm or ureg.radian/ureg.second, or the quantity as a text",
+        )
 
 
 _COUNTS = ("count", "percent", "ppm", "permille", "dimensionless", "bit", "byte", "particle", "mole")

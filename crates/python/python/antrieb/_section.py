@@ -42,7 +42,7 @@ class Kind(NamedTuple):
 class Section:
     """A section: its fields are the keys that are given, as they are written; a key that is not given is `None`.
 
-    It does not change; `replace` makes another. Sections are equal if their files are.
+    It does not change; `replace` makes another. Sections are equal if their files are; a `Return` equals no `Move`, as it follows the moves before it.
     """
 
     __slots__ = ("_values",)

@@ -8,7 +8,7 @@ use arrow_array::{Array, ArrayRef, BooleanArray, Float64Array, Int64Array, Recor
 use arrow_ipc::reader::StreamReader;
 use arrow_ipc::writer::StreamWriter;
 use arrow_schema::{Field, Schema, SchemaRef};
-use pyo3::exceptions::{PyException, PyTypeError, PyValueError};
+use pyo3::exceptions::{PyException, PyTypeError, PyUserWarning, PyValueError};
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyBytes, PyCapsule, PyDict, PyInt, PyList, PyString};
@@ -437,6 +437,28 @@ impl Sweep {
     }
 }
 
+/// Warns of columns that state values of keys under another name: `time [s]` is the time of every move. The index of a data
+/// frame, or a column that was meant as a label, may have such a name.
+fn warn_of_meant(py: Python<'_>, sweep: &sweep_io::BatchSweep, schema: &Schema, language: Language) -> PyResult<()> {
+    let bare = |heading: &str| heading.split(" [").next().unwrap_or(heading).trim().to_owned();
+    let is_other = |heading: &&String| {
+        let name = bare(heading);
+        !sweep.carried().any(|carried| carried == heading.as_str())
+            && !sweep.keys().any(|key| key == name)
+            && !name.contains(['.', '['])
+    };
+    let headings: Vec<&String> = schema.fields().iter().map(|field| field.name()).filter(is_other).collect();
+    let stated: Vec<&str> =
+        sweep.keys().filter(|key| !schema.fields().iter().any(|field| bare(field.name()) == *key)).collect();
+    if headings.is_empty() || stated.is_empty() {
+        return Ok(());
+    }
+    let columns = headings.iter().map(|heading| format!("{heading:?}")).collect::<Vec<_>>().join(", ");
+    let message = words::sweeps::columns_meant(&columns, &stated.join(", "), language);
+    let message = std::ffi::CString::new(message).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &message, 1)
+}
+
 impl Sweep {
     fn of(
         py: Python<'_>,
@@ -470,6 +492,7 @@ impl Sweep {
         let ready = move |_: &Progress| Ok((call.prepared(&schema, &batches)?, call.memory_allowed()?));
         let ready = interruptible(py, &Watch::of(Arc::new(Progress::endless()), None), ready)?;
         let (sweep, memory) = ready.map_err(|why: Unanswered| refused(py, &why.record(None, language)))?;
+        warn_of_meant(py, &sweep, &made_of.schema, language)?;
         Ok(Self { sweep: Arc::new(sweep), memory, language, made_of })
     }
 

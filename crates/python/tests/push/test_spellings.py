@@ -7,9 +7,11 @@ import io
 import itertools
 import typing
 import unittest
+import warnings
 
 import duckdb
 import numpy as np
+import pandas as pd
 import pint
 import polars as pl
 import pyarrow as pa
@@ -191,6 +193,59 @@ class Faults(unittest.TestCase):
             with self.subTest(message), self.assertRaises((antrieb.AntriebError, TypeError)) as caught:
                 call()
             self.assertRegex(str(caught.exception), message)
+
+    def test_headings_of_arrays_state_their_units(self) -> None:
+        t = np.linspace(0, 2, 201)
+        q, torque = 30 * (1 - np.cos(np.pi * t)), 12 * np.cos(np.pi * t)
+        make: typing.Any = antrieb.axes_from_arrays
+        plain = antrieb.size(make(t, np.radians(q), torque=torque, names=["J1"])).axes[0]
+        for time, position, load in (
+            (t, pd.DataFrame({"J1 [deg]": q}), torque),
+            (t, {"J1 (deg)": q}, {"J1 [N m]": torque}),
+            (t, pl.DataFrame({"J1 [deg]": q}), torque),
+            (pd.Series(t * 1e3, name="t [ms]"), pd.Series(q, name="q [deg]"), pd.Series(torque * 1e3, name="M [mN m]")),
+            (t, np.array(np.radians(q), dtype=[("J1 [rad]", "f8")]), torque),
+        ):
+            found = antrieb.size(make(time, position, torque=load, names=["J1"])).axes[0]
+            self.assertEqual((found.answer, found.fitting), (plain.answer, plain.fitting))
+        for call, message in (
+            (lambda: make(t, pd.DataFrame({"J1 [deg]": q}), torque=torque, position_unit="rad"), "^position has the unit deg in its headings"),
+            (lambda: make(t, pd.DataFrame({"a [deg]": q, "b": q}), torque=np.c_[torque, torque]), "^position: its columns are not all in one unit"),
+            (lambda: make(t, pd.DataFrame({"a [grd]": q}), torque=torque), "^position: the unit of the column 'a .grd.' is not known"),
+        ):
+            with self.subTest(message), self.assertRaises((antrieb.AntriebError, TypeError)) as caught:
+                call()
+            self.assertRegex(str(caught.exception), message)
+        self.assertEqual(len(make(t, pd.DataFrame({"J[1]": np.radians(q), "J (left)": q}), torque=np.c_[torque, torque])), 2)
+
+    def test_tables_are_no_numbers(self) -> None:
+        for table in (pd.DataFrame([[7], [8]]), pl.DataFrame({"a": [7]}), pa.table({"a": [7]}), {1: 2}):
+            with self.subTest(type(table)), self.assertRaisesRegex(TypeError, "^value"):
+                antrieb.q(table, "kg")
+
+    def test_a_rate_per_minute_of_pint_has_an_angle(self) -> None:
+        units = pint.UnitRegistry()
+        for value in (units.Quantity(20, "1/min"), units.Quantity(10, "m/min") / units.Quantity(0.5, "m")):
+            with self.subTest(value), self.assertRaisesRegex(antrieb.AntriebError, "has no angle"):
+                antrieb.Move("jerk", distance="90 deg", speed=value, acceleration="10 rad/s^2", jerk="100 rad/s^3")
+        with self.assertRaisesRegex(antrieb.AntriebError, "has no angle"):
+            antrieb.Load(inertia="1 kg m^2", viscous_friction=units.Quantity(1, "N*m*min"))
+        with self.assertRaisesRegex(antrieb.AntriebError, "has no angle"):
+            antrieb.sweep(AXIS, {"motion.1.speed": units.Quantity([20.0, 30.0], "1/min")})
+        antrieb.Load(inertia="1 kg m^2", viscous_friction=units.Quantity(1, "N*m*s"))
+        antrieb.Screw(mass="5 kg", lead="10 mm", friction_force=units.Quantity(1, "N"))
+
+    def test_columns_under_other_names_are_told(self) -> None:
+        frame = pd.DataFrame({"motion.1.payload [kg]": [1.0, 2.0]}, index=pd.to_timedelta([1, 2], unit="s")).rename_axis("time")
+        with self.assertWarnsRegex(UserWarning, r'"time \[s\]", state: motion\[1\].time'):
+            antrieb.sweep(AXIS, frame)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            antrieb.sweep(AXIS, {"motion.1.payload [kg]": [1.0, 2.0], "id": [1, 2]})
+
+    def test_a_text_of_numpy_is_a_text(self) -> None:
+        self.assertEqual(antrieb.check(AXIS, np.str_(CODE)).code, CODE)
+        self.assertEqual(len(antrieb.explain(AXIS, np.str_(CODE), check=typing.cast("typing.Any", np.str_("thermal"))).checks), 1)
 
 
 if __name__ == "__main__":
