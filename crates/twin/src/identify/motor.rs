@@ -130,6 +130,15 @@ pub(super) enum Tie {
     ToTable,
 }
 
+/// Signal from which the motion of the rotor is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum RotorMotion {
+    /// The motor speed.
+    Motor,
+    /// The position of the load: the noise of the motor speed hides the acceleration.
+    Load,
+}
+
 /// Equations of the motor.
 #[derive(Clone, Debug)]
 pub(super) struct Equations<'w> {
@@ -140,6 +149,8 @@ pub(super) struct Equations<'w> {
     current_s: f64,
     /// Mean variances of the noise of driving and driven torque \[N²m²\].
     noise: [f64; 2],
+    /// Signal from which Ω and Ω' are taken, and the variances of the noise of Ω' and Ω.
+    rotor: (RotorMotion, [f64; 2]),
     tabulated: Option<Tabulated>,
     /// The load drives for a considerable part of the run.
     is_driven: bool,
@@ -187,17 +198,34 @@ impl<'w> Equations<'w> {
         let has_zero = [1.0, -1.0].iter().all(|sign| windows.iter().any(|window| window.sign == *sign));
         let noise = [share * all.torque_noise, (1.0 - share) * all.torque_noise];
         let is_driven = driven > DRIVEN * driving;
-        Self {
+        let mut made = Self {
             windows,
             has_losses,
             step_s: all.step_s,
             current_s: all.current_s,
             noise,
+            rotor: (RotorMotion::Motor, all.motor_noise),
             tabulated,
             is_driven,
             has_zero,
             is_delayed,
             torque_error_s: 0.0,
+        };
+        // The torsion of the gear, by which both differ, is small beside noise that hides the acceleration.
+        if all.noise[0] < all.motor_noise[0] && is_hidden(&made.rows_of_delay(), all.motor_noise[0], 3) {
+            made.rotor = (RotorMotion::Load, all.noise);
+        }
+        made
+    }
+
+    /// Returns Ω and Ω' of a window, without the lag of the motor speed \[s\].
+    fn rotor(&self, window: &Window, lag: f64) -> [f64; 2] {
+        match self.rotor.0 {
+            RotorMotion::Motor => [
+                window.motor_speed + lag * window.motor_acceleration,
+                window.motor_acceleration + lag * window.motor_jerk,
+            ],
+            RotorMotion::Load => [window.speed, window.acceleration],
         }
     }
 
@@ -232,8 +260,7 @@ impl<'w> Equations<'w> {
     pub(super) fn rows_of_delay(&self) -> Vec<Row> {
         let lag = self.lag_s(Scale::NONE);
         let row = |window: &&Window| {
-            let speed = window.motor_speed + lag * window.motor_acceleration;
-            let acceleration = window.motor_acceleration + lag * window.motor_jerk;
+            let [speed, acceleration] = self.rotor(window, lag);
             let rest = window.torque - window.driving;
             let mut regressors = vec![window.driving, window.sign, speed, acceleration];
             match regressors.first_mut() {
@@ -282,8 +309,7 @@ impl<'w> Equations<'w> {
     /// Solves I = a T₊ + d T₋ + I_NLS σ + K Ω + c Ω' + I_0 with the signals divided by a scale.
     pub(super) fn fit(&self, solve: Solve, scale: Scale, lag: f64, tie: Tie) -> Option<Fit> {
         let row = |window: &Window, [driving, rest]: [f64; 2]| {
-            let speed = window.motor_speed + lag * window.motor_acceleration;
-            let acceleration = window.motor_acceleration + lag * window.motor_jerk;
+            let [speed, acceleration] = self.rotor(window, lag);
             let [driving, rest] = [driving / scale.torque, rest / scale.torque];
             let mut regressors = vec![driving, window.sign, speed, acceleration];
             let mut value = window.current / scale.current;
@@ -315,8 +341,9 @@ impl<'w> Equations<'w> {
             let rows: Vec<Row> = self.windows.iter().zip(torques).map(torque).collect();
             return solve(&rows, &[], &priors);
         }
-        let noise = [driving, 0.0, 0.0, 0.0, driven];
-        let noise = noise.get(..if self.is_driven { 5 } else { 1 }).unwrap_or_default();
+        let [of_acceleration, of_speed] = self.rotor.1;
+        let noise = [driving, 0.0, of_speed, of_acceleration, driven];
+        let noise = noise.get(..if self.is_driven { 5 } else { 4 }).unwrap_or_default();
         solve(&rows, noise, &priors).or_else(|| Some(solve(&rows, &[], &priors)?.attenuated()))
     }
 
@@ -334,8 +361,7 @@ impl<'w> Equations<'w> {
     fn instrumented(&self, lag: f64) -> Option<Vec<f64>> {
         let rows = |[hangs, sided]: [bool; 2]| -> Vec<Row> {
             let row = |window: &&Window| {
-                let speed = window.motor_speed + lag * window.motor_acceleration;
-                let acceleration = window.motor_acceleration + lag * window.motor_jerk;
+                let [speed, acceleration] = self.rotor(window, lag);
                 let mut regressors = vec![acceleration, window.sign, speed, 1.0];
                 if hangs {
                     regressors.extend([window.cosine, window.sine]);

@@ -58,6 +58,10 @@ const INFLATION_MOST: f64 = 1e4;
 /// them.
 const RIDGE: f64 = 1e-11;
 
+/// Smallest standard deviation of the equations relative to the rms of their values. A choice: ten times the error of the trapezoidal
+/// rule over the shortest window.
+const EXACT: f64 = 1e-3;
+
 /// Correlation of white noise in adjacent windows: ∫ sin⁴ cos⁴/∫ sin⁸ over half a period = 3/35.
 const OVERLAP: f64 = 3.0 / 35.0;
 
@@ -185,7 +189,10 @@ pub(super) fn fit(rows: &[Row], noise: &[f64], priors: &[Prior]) -> Option<Fit> 
     let (normal, right) = Sums::of(rows, width).less(noise)?;
     #[allow(clippy::cast_precision_loss, reason = "counts of windows")]
     let count = rows.len() as f64;
-    let mut variance = 0.0;
+    // Without noise a prior would weigh nothing, and dependent columns be solved by rounding: windows are exact to a share.
+    let square = || rows.iter().map(|row| row.value * row.value).sum::<f64>();
+    let least = if priors.is_empty() { 0.0 } else { EXACT.powi(2) * square() / count };
+    let mut variance = least;
     let mut found = None;
     // The weight of a prior depends on the variance of the residuals and vice versa.
     for _ in 0..if priors.is_empty() { 1 } else { 5 } {
@@ -203,7 +210,7 @@ pub(super) fn fit(rows: &[Row], noise: &[f64], priors: &[Prior]) -> Option<Fit> 
         let grown = (1.0 + rho) / (1.0 - rho) * repeated(rows, &residues);
         #[allow(clippy::cast_precision_loss, reason = "a handful")]
         let width = width as f64;
-        variance = square / (count - width) * grown;
+        variance = (square / (count - width) * grown).max(least);
         let covariance = inverse.iter().map(|line| line.iter().map(|value| value * variance).collect()).collect();
         let error = 0.0;
         let quantile = student((count / grown - width).max(4.0));

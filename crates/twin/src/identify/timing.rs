@@ -38,16 +38,17 @@ pub(super) fn examined(mut run: Observed) -> Examined {
     };
     let position = taken(Column::Position, position_rad);
     let _ = speed_rad_s.as_mut().and_then(|speed| taken(Column::Speed, speed));
-    let _ = taken(Column::MotorSpeed, motor_rad_s);
+    let motor = taken(Column::MotorSpeed, motor_rad_s);
     let torque = taken(Column::Torque, torque_nm);
     let current = taken(Column::Current, current_q_a);
     let period = |found: &Option<(Vec<f64>, f64)>| found.as_ref().map_or(0.0, |(_, period)| *period);
-    let updates_s = [period(&position), period(&torque), period(&current)];
+    let updates_s = [period(&position), period(&torque), period(&current), period(&motor)];
     let values = |found: Option<(Vec<f64>, f64)>| found.map(|(updated, _)| updated);
-    let [of_position, of_torque] = [values(position), values(torque)];
+    let [of_position, of_torque, of_motor] = [values(position), values(torque), values(motor)];
     let grain = Grain::of(
         of_position.as_deref().unwrap_or(&run.position_rad),
         of_torque.as_deref().unwrap_or(&run.torque_nm),
+        of_motor.as_deref().unwrap_or(&run.motor_rad_s),
         updates_s,
     );
     Examined { run, grain, scatter, undecided, held }

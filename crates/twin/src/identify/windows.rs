@@ -55,6 +55,8 @@ pub(super) struct Windows {
     pub(super) noise: [f64; 2],
     /// Variance of the noise of the torque of a window \[N²m²\].
     pub(super) torque_noise: f64,
+    /// Variances of the noise of Ω' and Ω of a window caused by the noise of the motor speed.
+    pub(super) motor_noise: [f64; 2],
 }
 
 /// Reason for which a run has no windows.
@@ -105,19 +107,21 @@ pub(super) struct Grain {
     pub(super) quantum_rad: Option<f64>,
     /// Standard deviation of the noise of the torque \[Nm\].
     pub(super) noise_nm: f64,
-    /// Periods at which position, torque and current are updated, if they are slower than the rows \[s\].
-    updates_s: [f64; 3],
+    /// Standard deviation of the noise of the motor speed over i [rad/s].
+    noise_rad_s: f64,
+    /// Periods at which position, torque, current and motor speed are updated, if they are slower than the rows \[s\].
+    updates_s: [f64; 4],
 }
 
 impl Grain {
-    /// Returns the noise of positions and torques, and the periods of their updates.
-    pub(super) fn of(position: &[f64], torque: &[f64], updates_s: [f64; 3]) -> Self {
+    /// Returns the noise of positions, torques and motor speeds, and the periods of their updates.
+    pub(super) fn of(position: &[f64], torque: &[f64], motor: &[f64], updates_s: [f64; 4]) -> Self {
         let (noise_rad, quantum_rad) = (noise_of(position), quantum_of(position));
-        Self { noise_rad, quantum_rad, noise_nm: noise_of(torque), updates_s }
+        Self { noise_rad, quantum_rad, noise_nm: noise_of(torque), noise_rad_s: noise_of(motor), updates_s }
     }
 
-    /// Returns the numbers of rows for which position, torque and current have one independent value.
-    fn rows(&self, step_s: f64) -> [f64; 3] {
+    /// Returns the numbers of rows for which position, torque, current and motor speed have one independent value.
+    fn rows(&self, step_s: f64) -> [f64; 4] {
         self.updates_s.map(|period| (period / step_s).max(1.0))
     }
 }
@@ -339,9 +343,13 @@ impl Windows {
             found = made(length)?;
         }
         // ∫ w² dt = 35 L/128, as many samples as the length.
-        let [_, rows, _] = strokes.grain.rows(found.step_s);
+        let [_, rows, _, of_motor] = strokes.grain.rows(found.step_s);
         let independent = found.length_s / found.step_s / rows * (9.0 / 64.0) / (35.0 / 128.0);
         found.torque_noise = strokes.grain.noise_nm.powi(2) / independent;
+        // ∫ w′² dt = 5 π²/(8 L), as for the speed of a position.
+        let of_speed = strokes.grain.noise_rad_s.powi(2) * of_motor / rows / independent;
+        let rate = 5.0 * PI.powi(2) / 8.0 / found.length_s.powi(2) * (128.0 / 35.0);
+        found.motor_noise = [of_speed * rate, of_speed];
         found.judged(strokes)
     }
 
@@ -405,12 +413,12 @@ impl Windows {
         let (count, length_s) = (length as f64, length as f64 * strokes.step_s);
         // ∫ w″² dt = 4 π⁴/L³, ∫ w′² dt = 5 π²/(8 L), ∫ w dt = 3 L/8, one sample per L/n.
         let quantised = strokes.grain.quantum_rad.map_or(0.0, |step| step / 12.0_f64.sqrt());
-        let [rows, _, of_current] = strokes.grain.rows(strokes.step_s);
+        let [rows, _, of_current, _] = strokes.grain.rows(strokes.step_s);
         let current_s = of_current * strokes.step_s;
         let variance = strokes.grain.noise_rad.max(quantised).powi(2) * rows;
         let noise = [4.0 * PI.powi(4) / length_s.powi(4), 5.0 * PI.powi(2) / 8.0 / length_s.powi(2)]
             .map(|square| variance * square / count * 64.0 / 9.0);
-        Ok(Self { all, length_s, step_s: strokes.step_s, current_s, noise, torque_noise: 0.0 })
+        Ok(Self { all, length_s, step_s: strokes.step_s, current_s, noise, torque_noise: 0.0, motor_noise: [0.0; 2] })
     }
 }
 

@@ -1,6 +1,7 @@
 //! Identification recovers planted values: simulate, add noise, identify.
 
 mod behind_stage;
+mod noisy_speed;
 mod zero_and_pace;
 
 use super::parameters;
