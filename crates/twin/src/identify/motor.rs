@@ -204,7 +204,7 @@ impl<'w> Equations<'w> {
             step_s: all.step_s,
             current_s: all.current_s,
             noise,
-            rotor: (RotorMotion::Motor, all.motor_noise),
+            rotor: (RotorMotion::Motor, [0.0; 2]),
             tabulated,
             is_driven,
             has_zero,
@@ -212,8 +212,11 @@ impl<'w> Equations<'w> {
             torque_error_s: 0.0,
         };
         // The torsion of the gear, by which both differ, is small beside noise that hides the acceleration.
-        if all.noise[0] < all.motor_noise[0] && is_hidden(&made.rows_of_delay(), all.motor_noise[0], 3) {
-            made.rotor = (RotorMotion::Load, all.noise);
+        let accelerations = made.windows.iter().map(|window| window.acceleration.powi(2)).sum::<f64>() / count;
+        let is_noisy = all.motor_noise[0] > all.noise[0].max(NOISY * NOISY * accelerations);
+        if is_noisy {
+            let hides = is_hidden(&made.rows_of_delay(), all.motor_noise[0], 3);
+            made.rotor = if hides { (RotorMotion::Load, all.noise) } else { (RotorMotion::Motor, all.motor_noise) };
         }
         made
     }
@@ -501,6 +504,10 @@ pub(super) fn estimate(
         }
     }
 }
+
+/// Noise of the acceleration by the motor speed relative to its rms value, above which it counts. A choice: the ripple of a gear,
+/// which is no noise, makes 0.4 %.
+const NOISY: f64 = 0.006;
 
 /// Number of windows for each at the limit of the current from which on those left out count: a fifth of them. A choice.
 const LIMITED_EACH: usize = 4;

@@ -58,9 +58,9 @@ const INFLATION_MOST: f64 = 1e4;
 /// them.
 const RIDGE: f64 = 1e-11;
 
-/// Smallest standard deviation of the equations relative to the rms of their values. A choice: ten times the error of the trapezoidal
-/// rule over the shortest window.
-const EXACT: f64 = 1e-3;
+/// Smallest standard deviation of the equations relative to the rms of their values: the error of the trapezoidal rule over the
+/// shortest window.
+const EXACT: f64 = 1e-4;
 
 /// Correlation of white noise in adjacent windows: ∫ sin⁴ cos⁴/∫ sin⁸ over half a period = 3/35.
 const OVERLAP: f64 = 3.0 / 35.0;
@@ -192,7 +192,7 @@ pub(super) fn fit(rows: &[Row], noise: &[f64], priors: &[Prior]) -> Option<Fit> 
     // Without noise a prior would weigh nothing, and dependent columns be solved by rounding: windows are exact to a share.
     let square = || rows.iter().map(|row| row.value * row.value).sum::<f64>();
     let least = if priors.is_empty() { 0.0 } else { EXACT.powi(2) * square() / count };
-    let mut variance = least;
+    let mut variance = 0.0;
     let mut found = None;
     // The weight of a prior depends on the variance of the residuals and vice versa.
     for _ in 0..if priors.is_empty() { 1 } else { 5 } {

@@ -75,7 +75,7 @@ fn noise_of_the_motor_speed_leaves_planted_values_in_their_intervals() {
     for planted in &of {
         let parameters = parameters(planted.code);
         let (mut outside, mut all) = (Vec::new(), 0);
-        for motor in [0.0, 3e-3, 0.01, 0.02, 0.05] {
+        for motor in [0.0, 3e-3, 6e-3, 0.01, 0.05] {
             for seed in 0..4 {
                 let noises = if motor == 0.0 && seed == 0 { [0.0; 4] } else { [1e-5, motor, 0.3, 0.02] };
                 let run = planted.run(noises, seed);
