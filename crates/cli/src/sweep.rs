@@ -1,6 +1,7 @@
 //! `sweep`: a table of axes, judged part by part. Finished parts are kept next to the output until that is complete, so
 //! that an interrupted call continues.
 
+mod factors;
 mod parts;
 mod run;
 mod shown;
@@ -50,6 +51,7 @@ pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
         [] => TableRows::File(&path),
         _ => {
             let rows = vary::rows(text, args.axis.as_ref(), &stated, steps, language)?;
+            refuse_changed_twice(call, &rows)?;
             refuse_faulty_keys(call, inquiry, (text, &rows), args.axis.as_ref())?;
             TableRows::Stated(rows)
         }
@@ -81,7 +83,24 @@ pub(crate) fn readable(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<(), Una
     }
     let steps = usize::try_from(call.count("steps").unwrap_or(STEPS)).unwrap_or(usize::MAX);
     let rows = vary::rows(text, args.axis.as_ref(), &stated, steps, language)?;
+    refuse_changed_twice(call, &rows)?;
     refuse_faulty_keys(call, inquiry, (text, &rows), args.axis.as_ref())
+}
+
+/// Refuses keys that the call changes for all rows, by `--scale` or `--set`, and states in each row: the value of the row
+/// would replace the change.
+fn refuse_changed_twice(call: &Call<'_>, rows: &str) -> Result<(), Unanswered> {
+    let headings = rows.lines().next().unwrap_or_default().split(',');
+    let paths: Vec<&str> = headings.filter_map(|heading| heading.split(" [").next()).collect();
+    // A remark has each key as a word before its value: `load × 1.15: mechanism.arm.mass 6 kg → 6.9 kg, …`.
+    let mut changed = call.changes.split_whitespace();
+    match changed.find(|word| paths.iter().any(|path| word.ends_with(path))) {
+        Some(path) => {
+            let usage = words::Usage::Twice { name: path.to_owned() };
+            Err(Unanswered::option(VARY, (words::usage_text(&usage, call.language), None)))
+        }
+        None => Ok(()),
+    }
 }
 
 /// Refuses values of keys of which no row can be evaluated, though the project alone can: the first and the last row are read.

@@ -1,5 +1,6 @@
 //! Values of keys that a call states in place of a table: `--vary payload=0,10,20kg`.
 
+use super::factors;
 use crate::changed::{accepted, keys, motion, places, prefix};
 use crate::command::own::VARY;
 use crate::command::typed::{number_and_unit, typed};
@@ -9,7 +10,7 @@ use questions::list::Unanswered;
 use questions::list::new::{Method, SAMPLES_MOST, table};
 use questions::sweep::{Unstepped, stepped};
 use std::borrow::Cow;
-use words::spoken::has_decimal_commas;
+use words::spoken::{has_decimal_commas, scaled};
 use words::{UsageHint, sweeps, terminal, usage_hint};
 
 /// Largest number of keys that a refusal names.
@@ -55,10 +56,18 @@ pub(super) fn rows(
     }
     let rows = table(columns.iter().map(|column| column.spec.as_str()), Method::Grid, steps, 0, language);
     let rows = with_further_keys(&rows.map_err(of_vary)?, &columns);
-    match columns.iter().position(|column| column.is_cycle) {
+    let rows = match columns.iter().position(|column| column.is_cycle) {
         Some(place) => {
             let cycle = stated.get(place).map(String::as_str).unwrap_or_default();
-            with_filled_cycles((text, &prefix), &rows, (place, cycle), language).map_err(of_vary)
+            with_filled_cycles((text, &prefix), &rows, (place, cycle), language).map_err(of_vary)?
+        }
+        None => rows,
+    };
+    match columns.iter().find(|column| column.is_load) {
+        Some(column) => {
+            let heading = column.spec.split(" = ").next().unwrap_or_default();
+            let own = |name: &str| factors::of_load(&all, &prefix, name);
+            factors::with_loads(&rows, heading, own, language).map_err(|fault| Unanswered::option(VARY, fault))
         }
         None => Ok(rows),
     }
@@ -149,6 +158,8 @@ struct Column {
     further: Vec<FurtherKey>,
     /// The values are durations of the whole cycle, in place of those of the first dwell.
     is_cycle: bool,
+    /// The values are factors of the load, in place of those of its first key.
+    is_load: bool,
 }
 
 /// A key with the values of a column.
@@ -350,6 +361,12 @@ fn column(
     if let Some(column) = of_motion((text_of_project, all, prefix), (key, text), &values, language)? {
         return Ok(column);
     }
+    if scaled(key) == Some("load") && values.unit.is_empty() {
+        let first = factors::of_load(all, prefix, "1").and_then(|all| all.into_iter().next());
+        let (heading, _) = first.ok_or_else(|| (terminal::no_load_to_scale(language).to_owned(), None))?;
+        let spec = spec(&heading, &values);
+        return Ok(Column { spec, further: Vec::new(), is_cycle: false, is_load: true });
+    }
     let key = project::with_brackets(key);
     let key = key.strip_prefix(prefix).unwrap_or(&key);
     let path = if key == questions::sweep::CODE || key_at(key).is_some_and(|key| !accepted::is_table(key.kind)) {
@@ -404,7 +421,7 @@ fn column(
         let hint = call.map(|call| usage_hint(&UsageHint::Calls(vec![call]), language));
         return Err((sweeps::no_entry(&seen(&entry), &count, language), hint));
     }
-    Ok(Column { spec: spec(&path, &values), further: Vec::new(), is_cycle: false })
+    Ok(Column { spec: spec(&path, &values), further: Vec::new(), is_cycle: false, is_load: false })
 }
 
 fn spec(path: &str, values: &Stated) -> String {
@@ -445,7 +462,7 @@ fn of_motion(
         && let Some(dwell) = motion::filling_dwell(text, prefix, &values.last(&values.unit))
     {
         let path = format!("{}.time", dwell.strip_prefix(prefix).unwrap_or(&dwell));
-        return Ok(Some(Column { spec: spec(&path, values), further: Vec::new(), is_cycle: true }));
+        return Ok(Some(Column { spec: spec(&path, values), further: Vec::new(), is_cycle: true, is_load: false }));
     }
     if meaning == motion::MotionWord::Cycle && !is_stated {
         return Err((sweeps::vary_no_cycle(&seen(word), language), Some(set_first())));
@@ -479,5 +496,5 @@ fn of_motion(
         heading: heading(&own(path), values),
         is_opposite: is_back(other) != is_back(value),
     });
-    Ok(Some(Column { spec: spec(&own(first), values), further: further.collect(), is_cycle: false }))
+    Ok(Some(Column { spec: spec(&own(first), values), further: further.collect(), is_cycle: false, is_load: false }))
 }

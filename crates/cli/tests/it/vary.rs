@@ -1,7 +1,7 @@
 //! `sweep --vary`: rows that a call states in place of a table, and the columns beside the answers.
 #![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, reason = "a test fails loudly")]
 
-use crate::run::{Run, run_at};
+use crate::run::{Run, run, run_at};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -175,5 +175,31 @@ fn a_step_belongs_to_one_range() {
         let found = sweep(folder.path(), &[words, &["--json"]].concat());
         let json: Value = serde_json::from_str(&found.out).unwrap_or_default();
         assert_eq!(json["rows"], 3, "{words:?}: {}", found.err);
+    }
+}
+
+/// Factors of the load are those of `--scale load=`: the answer of each row is that of `size` with the factor.
+#[test]
+fn factors_of_the_load_are_those_of_a_scaled_axis() {
+    for example in
+        ["examples/indexing-table.toml", "examples/belt-axis.toml", "examples/hoist.toml", "examples/slewing-arm.toml"]
+    {
+        let table = run(&["sweep", example, "--vary", "load=0.5,1,1.5", "--json"]);
+        let table: Value =
+            serde_json::from_str(&table.out).unwrap_or_else(|why| panic!("{example}: {why} {}", table.err));
+        for (row, factor) in table["answers"].as_array().unwrap().iter().zip(["0.5", "1", "1.5"]) {
+            let alone = run(&["size", example, "--scale", &format!("load={factor}"), "--json"]);
+            let alone: Value = serde_json::from_str(&alone.out).unwrap();
+            assert_eq!(row["code"], alone["answer"], "{example} {factor}");
+            assert_eq!(row["labels"]["load ×"], Value::from(factor), "{example}");
+        }
+    }
+    for call in [
+        &["--vary", "load=1,1.2", "--vary", "motion[1].payload=1kg,2kg"][..],
+        &["--scale", "load=1.15", "--vary", "mechanism.arm.mass=4kg,5kg"],
+        &["--set", "mechanism.arm.mass=4kg", "--vary", "mechanism.arm.mass=4kg,5kg"],
+    ] {
+        let run = run(&[&["sweep", "examples/tilting-arm.toml"], call].concat());
+        assert!(run.code == 2 && run.out.is_empty() && run.err.contains("given twice"), "{call:?}: {}", run.err);
     }
 }
