@@ -1,6 +1,6 @@
 //! Defaults that the user did not confirm.
 
-use motion::{Alternating, MadeUp, Remark, RestNoise, SlowMotion, Spline, Spurious, SteppedColumn};
+use motion::{Alternating, MadeUp, Remark, RestNoise, SlowMotion, SparseSamples, Spline, Spurious, SteppedColumn};
 use project::KeyDefault;
 use project::choices::LeftOut;
 use project::sections::StatedField;
@@ -105,6 +105,8 @@ pub enum Assumption {
     /// The resolution of a recording in value or time causes an apparent acceleration, with the torque that the load would
     /// need for it \[Nm\].
     RecordedSteps(MadeUp, f64),
+    /// Samples of a recording are too far apart for the acceleration of its motion.
+    RecordedSparse(SparseSamples),
     /// A recorded torque has white noise of this standard deviation \[Nm\].
     RecordedTorqueNoise(f64),
     /// The motion between the points of a cam table is a spline with continuous derivatives.
@@ -142,7 +144,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 95] = [
+    pub const ALL: [Self; 96] = [
         Self::OfTemplate(TemplateFigure { path: "mechanism.hoist.drum_diameter", value: "120 mm" }),
         Self::Default(KeyDefault::NoFriction),
         Self::Default(KeyDefault::AmbientWithinRange),
@@ -231,6 +233,7 @@ impl Assumption {
         Self::Overruns(Overrun { segment: 3, stated_rad: 0.0884, plain_rad: 0.0885, travel_m_per_rad: Some(0.01) }),
         Self::RecordedSteps(STEPS, 0.5),
         Self::RecordedTorqueNoise(0.8),
+        Self::RecordedSparse(SparseSamples { interval_s: 0.1, share: 0.15 }),
         Self::RecordedSteps(MadeUp { cause: Spurious::Steps { step: 1.7e-8, smoothing_s: None }, ..STEPS }, 0.5),
         Self::RecordedSteps(MadeUp { column: SteppedColumn::Speed, ..STEPS }, 0.5),
         Self::RecordedSteps(MadeUp { cause: Spurious::Held { period_s: 8e-3 }, ..STEPS }, 0.5),
@@ -293,6 +296,7 @@ impl Assumption {
                 | Self::Motionless(..)
                 | Self::Overruns(_)
                 | Self::RecordedSteps(..)
+                | Self::RecordedSparse(_)
                 | Self::SplineThroughPoints(_)
                 | Self::Default(KeyDefault::StartsAtZero | KeyDefault::WindsUp | KeyDefault::RollToWind)
         )

@@ -44,6 +44,9 @@ pub(crate) fn assumptions(axis: &Axis, found: &mut Vec<Assumption>) {
         if placed.recorded.torque_noise_nm() > 0.0 {
             put(Assumption::RecordedTorqueNoise(placed.recorded.torque_noise_nm()));
         }
+        if let Some(sparse) = placed.recorded.sparse() {
+            put(Assumption::RecordedSparse(sparse));
+        }
         for remark in placed.recorded.remarks() {
             put(Assumption::RecordedKey(*remark));
         }

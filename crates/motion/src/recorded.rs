@@ -9,12 +9,14 @@ use crate::resolution::{
     MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, made_up_by_noise, made_up_by_updates, mean_interval,
     median_interval, noise_beside,
 };
+use crate::samples::{HeldValues, Samples, TimeStamps, Treatment};
 use crate::settled::{SlowMotion, slow_motion, stop_at_rests};
 use crate::smoothing::{end_error, slope_error, slope_error_at_end, smooth_by};
+use crate::sparse::{SparseSamples, sparse};
 use crate::standstill::{Alternating, RestNoise, alternating, rests, still};
 use crate::threshold::set_to_rest;
 use crate::timing::{SpeedOverTime, evenly_spaced, with_time};
-use quantities::{AngularVelocity, Measure, Time};
+use quantities::Measure;
 use std::sync::Arc;
 
 /// Largest permitted difference of recorded and integrated position, relative to the travel; beyond it one of them must
@@ -26,54 +28,6 @@ const CONTRADICTION_BY_FACTOR: f64 = 0.02;
 
 /// Difference that a factor leaves, relative to that without it.
 const LEFT: f64 = 0.25;
-
-/// Samples read from a file, in SI at the output; unchanged columns are shared with the motion.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Samples {
-    /// Instants \[s\], strictly increasing.
-    pub time_s: Arc<Vec<f64>>,
-    /// Positions \[rad\].
-    pub position_rad: Option<Arc<Vec<f64>>>,
-    /// Speeds [rad/s].
-    pub speed_rad_s: Option<Arc<Vec<f64>>>,
-    /// Torques of the actuator on the load, positive in the positive direction \[Nm\].
-    pub torque_nm: Option<Arc<Vec<f64>>>,
-}
-
-/// Processing of samples before they become a motion; none by default.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Treatment {
-    /// Width of the window of a moving parabola, fitted by least squares.
-    pub smoothing: Option<Time>,
-    /// Speeds below this value count as standstill; if `None`, those identified as noise at rest do.
-    pub standstill: Option<AngularVelocity>,
-    /// Use of values held over several rows.
-    pub held_values: HeldValues,
-    /// Use of the time stamps.
-    pub time_stamps: TimeStamps,
-    /// The samples are a cycle that repeats: where its ends move alike, the window goes over its seam.
-    pub repeats: bool,
-}
-
-/// Use of values that are held over several rows because their source is slower than the logger.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum HeldValues {
-    /// Unchanged.
-    #[default]
-    Kept,
-    /// One value for each update, with the motion straight in speed between them.
-    Interpolated,
-}
-
-/// Use of the time stamps.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum TimeStamps {
-    /// Unchanged.
-    #[default]
-    Kept,
-    /// Evenly spaced instants fitted to them.
-    Even,
-}
 
 /// A recorded motion: speed and torque are linear between two samples, so that the acceleration is constant there.
 ///
@@ -96,6 +50,7 @@ pub struct Recorded {
     alternating: Option<Alternating>,
     slow_motion: Option<SlowMotion>,
     made_up: Option<MadeUp>,
+    sparse: Option<SparseSamples>,
     torque_noise_nm: f64,
     remarks: Vec<Remark>,
     rests: bool,
@@ -195,6 +150,12 @@ impl Recorded {
             (torque, _) => torque,
         };
         let made_up = made_up.map(|made_up| made_up.while_moving(&speed));
+        // Noise makes the differences larger, and a window leaves out what it is stated for.
+        let is_plain = made_up.is_none() && window.is_none() && !held_are_interpolated;
+        let sparse = is_plain.then(|| match is_placed && differentiated {
+            true => sparse(&time_s, &position, SteppedColumn::Position),
+            false => sparse(&time_s, &speed, SteppedColumn::Speed),
+        });
         let torque_noise_nm = torque_nm.as_ref().map_or(0.0, |torque| noise_beside(&time_s, torque));
         let rests = speed.windows(2).any(|ends| ends == [0.0; 2]);
         let turns = speed.iter().any(|speed| *speed != 0.0);
@@ -209,6 +170,7 @@ impl Recorded {
             alternating,
             slow_motion,
             made_up,
+            sparse: sparse.flatten(),
             torque_noise_nm,
             remarks,
             rests,
@@ -331,6 +293,12 @@ impl Recorded {
     #[must_use]
     pub const fn made_up(&self) -> Option<MadeUp> {
         self.made_up
+    }
+
+    /// Returns the samples as sparse ones, if they are too far apart for the acceleration of their motion.
+    #[must_use]
+    pub const fn sparse(&self) -> Option<SparseSamples> {
+        self.sparse
     }
 
     /// Returns the remarks on keys that do not do what they are stated for.

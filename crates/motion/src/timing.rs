@@ -1,8 +1,8 @@
 //! Timing of recorded samples: time stamps that scatter although the rows are evenly spaced.
 
 use crate::faults::RecordedFault;
-use crate::recorded::Samples;
 use crate::resolution::median_interval;
+use crate::samples::Samples;
 use quantities::{Measure, Time};
 use std::sync::Arc;
 
