@@ -1,6 +1,9 @@
 //! Defaults that the user did not confirm.
 
-use motion::{Alternating, MadeUp, Remark, RestNoise, SlowMotion, SparseSamples, Spline, Spurious, SteppedColumn};
+use motion::{
+    Alternating, MadeUp, OutlyingColumn, OutlyingValues, Remark, RestNoise, SlowMotion, SparseSamples, Spline,
+    Spurious, SteppedColumn,
+};
 use project::KeyDefault;
 use project::choices::LeftOut;
 use project::sections::StatedField;
@@ -107,6 +110,8 @@ pub enum Assumption {
     RecordedSteps(MadeUp, f64),
     /// Samples of a recording are too far apart for the acceleration of its motion.
     RecordedSparse(SparseSamples),
+    /// Values of a recorded column are far beside those before and behind.
+    RecordedOutliers(OutlyingValues),
     /// A recorded torque has white noise of this standard deviation \[Nm\].
     RecordedTorqueNoise(f64),
     /// The motion between the points of a cam table is a spline with continuous derivatives.
@@ -134,6 +139,7 @@ pub struct WindowEnd {
 }
 
 /// Steps of a position, as an example.
+const OUTLIERS: OutlyingValues = OutlyingValues { column: OutlyingColumn::Torque, count: 1, time_s: 1.2, value: 900.0 };
 const STEPS: MadeUp = MadeUp {
     column: SteppedColumn::Position,
     cause: Spurious::Steps { step: 1.7e-8, smoothing_s: Some(3.3e-3) },
@@ -144,7 +150,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 96] = [
+    pub const ALL: [Self; 99] = [
         Self::OfTemplate(TemplateFigure { path: "mechanism.hoist.drum_diameter", value: "120 mm" }),
         Self::Default(KeyDefault::NoFriction),
         Self::Default(KeyDefault::AmbientWithinRange),
@@ -233,6 +239,9 @@ impl Assumption {
         Self::Overruns(Overrun { segment: 3, stated_rad: 0.0884, plain_rad: 0.0885, travel_m_per_rad: Some(0.01) }),
         Self::RecordedSteps(STEPS, 0.5),
         Self::RecordedTorqueNoise(0.8),
+        Self::RecordedOutliers(OUTLIERS),
+        Self::RecordedOutliers(OutlyingValues { column: OutlyingColumn::Speed, count: 2, ..OUTLIERS }),
+        Self::RecordedOutliers(OutlyingValues { column: OutlyingColumn::Position, ..OUTLIERS }),
         Self::RecordedSparse(SparseSamples { interval_s: 0.1, share: 0.15 }),
         Self::RecordedSteps(MadeUp { cause: Spurious::Steps { step: 1.7e-8, smoothing_s: None }, ..STEPS }, 0.5),
         Self::RecordedSteps(MadeUp { column: SteppedColumn::Speed, ..STEPS }, 0.5),
@@ -297,6 +306,7 @@ impl Assumption {
                 | Self::Overruns(_)
                 | Self::RecordedSteps(..)
                 | Self::RecordedSparse(_)
+                | Self::RecordedOutliers(_)
                 | Self::SplineThroughPoints(_)
                 | Self::Default(KeyDefault::StartsAtZero | KeyDefault::WindsUp | KeyDefault::RollToWind)
         )

@@ -47,6 +47,9 @@ pub(crate) fn assumptions(axis: &Axis, found: &mut Vec<Assumption>) {
         if let Some(sparse) = placed.recorded.sparse() {
             put(Assumption::RecordedSparse(sparse));
         }
+        for outliers in placed.recorded.outliers() {
+            put(Assumption::RecordedOutliers(*outliers));
+        }
         for remark in placed.recorded.remarks() {
             put(Assumption::RecordedKey(*remark));
         }

@@ -10,7 +10,7 @@ use std::ffi::OsString;
 use words::help::values;
 use words::{Usage, Word, help, usage_text};
 
-pub(crate) use folder::text_of_kind;
+pub(crate) use folder::{RECORDINGS, text_of_kind};
 
 const NAME: &str = "antrieb";
 const LANG_VARIABLE: &str = "ANTRIEB_LANG";

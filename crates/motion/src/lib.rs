@@ -39,7 +39,7 @@ pub use chain::{Closing, Hold, ManualMove, Motion, SegmentSpec, Stretch, Unread}
 pub use examination::{EvenRows, HeldSignal, Stamps};
 pub use faults::{MotionFault, MoveFault, Needed, RecordedFault};
 pub use law::{Given, Law, Solved};
-pub use outliers::{Outliers, SignalKind, jumps};
+pub use outliers::{Outliers, OutlyingColumn, OutlyingValues, SignalKind, jumps};
 pub use piece::{Piece, Runs, State};
 pub use placed::{Interval, Placed};
 pub use points::{EndState, Ends, Points, PointsFault, Spline};

@@ -4,6 +4,7 @@ use crate::examination::Stamps;
 use crate::faults::RecordedFault;
 use crate::held::{Interpolated, Updated, held, interpolated, interpolated_position};
 use crate::joint::joint;
+use crate::outliers::{OutlyingColumn, OutlyingValues};
 use crate::remarks::{Remark, of_stamps, of_standstill};
 use crate::resolution::{
     MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, made_up_by_noise, made_up_by_updates, mean_interval,
@@ -51,6 +52,7 @@ pub struct Recorded {
     slow_motion: Option<SlowMotion>,
     made_up: Option<MadeUp>,
     sparse: Option<SparseSamples>,
+    outliers: Vec<OutlyingValues>,
     torque_noise_nm: f64,
     remarks: Vec<Remark>,
     rests: bool,
@@ -76,6 +78,7 @@ impl Recorded {
         if start != 0.0 {
             samples.time_s = Arc::new(samples.time_s.iter().map(|t| t - start).collect());
         }
+        let outliers = outliers(&samples);
         let mut remarks = Vec::new();
         let stamps = (treatment.time_stamps == TimeStamps::Even).then(|| Arc::clone(&samples.time_s));
         if stamps.is_some() {
@@ -171,6 +174,7 @@ impl Recorded {
             slow_motion,
             made_up,
             sparse: sparse.flatten(),
+            outliers,
             torque_noise_nm,
             remarks,
             rests,
@@ -295,6 +299,12 @@ impl Recorded {
         self.made_up
     }
 
+    /// Returns the values far beside those before and behind, of each column that has some.
+    #[must_use]
+    pub fn outliers(&self) -> &[OutlyingValues] {
+        &self.outliers
+    }
+
     /// Returns the samples as sparse ones, if they are too far apart for the acceleration of their motion.
     #[must_use]
     pub const fn sparse(&self) -> Option<SparseSamples> {
@@ -318,6 +328,18 @@ impl Recorded {
     pub fn is_empty(&self) -> bool {
         self.time_s.is_empty()
     }
+}
+
+/// Returns the outliers of the columns as they were recorded.
+fn outliers(samples: &Samples) -> Vec<OutlyingValues> {
+    let Samples { time_s, position_rad, speed_rad_s, torque_nm } = samples;
+    let columns = [
+        (position_rad, OutlyingColumn::Position),
+        (speed_rad_s, OutlyingColumn::Speed),
+        (torque_nm, OutlyingColumn::Torque),
+    ];
+    let of = |(values, column): (&Option<Arc<Vec<f64>>>, _)| OutlyingValues::of(time_s, values.as_deref()?, column);
+    columns.into_iter().filter_map(of).collect()
 }
 
 /// Position and speed at each sample, before rest is detected.

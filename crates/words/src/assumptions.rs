@@ -1,10 +1,11 @@
 //! Words for the assumptions made where the project states nothing.
 
 use crate::pick;
+use crate::recorded_samples;
 use crate::texts::said;
 use crate::{about_text, short_label};
 use axis::{Assumption, Overrun, WindowEnd};
-use motion::{Alternating, MadeUp, Remark, SlowMotion, SparseSamples, Spline, Spurious, SteppedColumn};
+use motion::{Alternating, MadeUp, Remark, SlowMotion, Spline, Spurious, SteppedColumn};
 use project::{KeyDefault, key_at};
 use quantities::unit::{
     DEGREE, MILLIMETRE, MILLISECOND, NEWTON_METRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND,
@@ -41,8 +42,9 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         Assumption::RecordedKey(remark) => return key_text(remark, language),
         Assumption::Motionless(segment, hidden_rad_s) => return motionless_text(segment, hidden_rad_s, language),
         Assumption::Overruns(overrun) => return overrun_text(&overrun, language),
-        Assumption::RecordedTorqueNoise(deviation_nm) => return torque_noise_text(deviation_nm, language),
-        Assumption::RecordedSparse(sparse) => return sparse_text(sparse, language),
+        Assumption::RecordedTorqueNoise(deviation_nm) => return recorded_samples::torque_noise(deviation_nm, language),
+        Assumption::RecordedOutliers(outliers) => return recorded_samples::outliers(&outliers, language),
+        Assumption::RecordedSparse(sparse) => return recorded_samples::sparse(sparse, language),
         Assumption::RecordedSteps(made_up, torque) => return spurious_text(&made_up, torque, language),
         Assumption::SplineThroughPoints(Spline::Cubic) => (
             "a cubic spline goes through the points of the cam table: the acceleration is continuous there (C²), the jerk is discontinuous; at the ends the acceleration may be discontinuous",
@@ -329,7 +331,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-fn figure(si: f64, unit: &'static Unit, language: Language) -> String {
+pub(crate) fn figure(si: f64, unit: &'static Unit, language: Language) -> String {
     with_symbol(&format_significant(unit.from_si(si), 3, language), unit.symbol_in(language))
 }
 
@@ -517,25 +519,6 @@ fn spurious_text(made_up: &MadeUp, torque_nm: f64, language: Language) -> String
             )
         }
     }
-}
-
-fn torque_noise_text(deviation_nm: f64, language: Language) -> String {
-    let of = |torque: f64| figure(torque, &NEWTON_METRE, language);
-    let (noise, peak) = (of(deviation_nm), of(3.5 * deviation_nm));
-    said!(language =>
-        "the recorded torque has noise of {noise} (standard deviation), which adds up to {peak} to T_peak, and {noise} to T_rms by its square; smoothing = \"…\" reduces it"
-        | "das aufgezeichnete Drehmoment hat Rauschen von {noise} (Standardabweichung), das T_peak um bis zu {peak} erhöht und mit {noise} quadratisch in T_rms eingeht; smoothing = \"…\" verringert es"
-    )
-}
-
-/// Describes samples that are too far apart for the acceleration of their motion.
-fn sparse_text(sparse: SparseSamples, language: Language) -> String {
-    let interval = figure(sparse.interval_s, &MILLISECOND, language);
-    let more = format_significant(100.0 * sparse.share / (1.0 - sparse.share), 2, language);
-    said!(language =>
-        "the samples of the recording are {interval} apart, too far for its motion: by differences over them the effective acceleration is estimated to be {more} % larger than computed, and so is its torque; record at shorter intervals, or record the speed too"
-        | "die Abtastwerte der Aufzeichnung liegen {interval} auseinander, für ihre Bewegung zu weit: die effektive Beschleunigung ist nach Differenzen über mehrere davon schätzungsweise um {more} % größer als gerechnet, ebenso ihr Drehmoment; in kürzeren Abständen aufzeichnen oder die Drehzahl mit aufzeichnen"
-    )
 }
 
 /// Returns the remedy for steps of a column.

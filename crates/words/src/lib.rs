@@ -46,6 +46,7 @@ mod project_file;
 mod project_page;
 mod quantity;
 mod recorded_keys;
+mod recorded_samples;
 pub mod recorded_template;
 mod recording;
 pub mod records;

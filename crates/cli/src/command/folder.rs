@@ -8,7 +8,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 /// Extensions of recordings.
-pub(super) const RECORDINGS: [&str; 5] = [".csv", ".csv.gz", ".parquet", ".txt", ".log"];
+pub(crate) const RECORDINGS: [&str; 8] = [".csv", ".csv.gz", ".parquet", ".txt", ".log", ".tsv", ".dat", ".asc"];
 
 /// Largest number of files of a folder that are read.
 const SEARCHED_MOST: usize = 50;

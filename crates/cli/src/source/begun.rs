@@ -1,5 +1,6 @@
 //! A recording in place of a project: the project that begins with it.
 
+use crate::command::RECORDINGS;
 use crate::fault::path_text;
 use crate::preview::previewed;
 use project::{Edit, edit, written};
@@ -7,9 +8,6 @@ use quantities::Language;
 use questions::list::{Unanswered, new};
 use std::path::Path;
 use words::file_trouble;
-
-/// Endings of recordings.
-const ENDINGS: [&str; 5] = [".csv", ".csv.gz", ".parquet", ".txt", ".log"];
 
 /// Kind of a project whose mechanism the recording decides.
 const KIND: &str = "recording";
@@ -20,7 +18,7 @@ const HEAD: usize = 1 << 20;
 /// Returns `true` if a file that exists has the ending of a recording and is no project.
 pub(super) fn is_recording(path: &Path) -> bool {
     let name = path.to_string_lossy().to_lowercase();
-    if !ENDINGS.iter().any(|ending| name.len() > ending.len() && name.ends_with(ending)) || !path.is_file() {
+    if !RECORDINGS.iter().any(|ending| name.len() > ending.len() && name.ends_with(ending)) || !path.is_file() {
         return false;
     }
     let bytes = disk::read_file(path, HEAD);
