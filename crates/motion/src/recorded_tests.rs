@@ -1,4 +1,5 @@
 use super::*;
+use quantities::{AngularVelocity, Time};
 
 fn times(n: u32, h: f64) -> Vec<f64> {
     // Intentionally irregular: every third step is a fifth longer.

@@ -397,11 +397,12 @@ pub(crate) fn file_fault_text(fault: &Fault, language: Language) -> String {
             | "die Körper eines Drehtisches stehen entweder als Texte in `bodies` oder als Tabellen in `body`, nicht in beiden"
         ),
         Fault::JointWithoutTorque { columns } if !columns.is_empty() => {
-            let all: Vec<String> = columns.iter().map(|column| format!("{column:?}")).collect();
-            let (first, all) = (all.first().cloned().unwrap_or_default(), all.join(", "));
+            let first = columns.first().cloned().unwrap_or_default();
+            let all: Vec<String> = columns.iter().map(|column| crate::recording::quoted(column, language)).collect();
+            let all = all.join(", ");
             said!(language =>
-                "the torque of a joint is recorded with its motion, and no column is recognised as the torque of the load; it may be one of {all}: columns = {{ torque = {first} }} with that name; if none of them is the whole load, state [load] or the mechanism in place of [mechanism.joint]"
-                | "das Moment eines Gelenks wird mit der Bewegung aufgezeichnet, und keine Spalte ist als Lastmoment erkannt; infrage kommen {all}: columns = {{ torque = {first} }} mit diesem Namen; ist keine davon die ganze Last, statt [mechanism.joint] [load] oder die Mechanik angeben"
+                "the torque of a joint is recorded with its motion, and no column is recognised as the torque of the load; it may be one of {all}: columns = {{ torque = \"{first}\" }} with that name; if none of them is the whole load, state [load] or the mechanism in place of [mechanism.joint]"
+                | "das Moment eines Gelenks wird mit der Bewegung aufgezeichnet, und keine Spalte ist als Lastmoment erkannt; infrage kommen {all}: columns = {{ torque = \"{first}\" }} mit diesem Namen; ist keine davon die ganze Last, statt [mechanism.joint] [load] oder die Mechanik angeben"
             )
         }
         Fault::JointWithoutTorque { .. } => said!(language =>
