@@ -82,7 +82,7 @@ pub(crate) fn size(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnsw
 
 /// Reserves that a ranking states.
 struct Reserves {
-    /// That of the answer.
+    /// Reserve of the answer.
     answer: Option<Reserve>,
     /// The changes with which the actuator with the smallest excess would fit.
     nearest: Option<Reserve>,

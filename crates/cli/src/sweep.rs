@@ -87,13 +87,14 @@ pub(crate) fn readable(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<(), Una
     refuse_faulty_keys(call, inquiry, (text, &rows), args.axis.as_ref())
 }
 
-/// Refuses keys that the call changes for all rows, by `--scale` or `--set`, and states in each row: the value of the row
-/// would replace the change.
+/// Refuses keys that the call multiplies for all rows and states in each row: the value of the row would replace the product.
+/// A value that is set for all rows is one that the rows replace.
 fn refuse_changed_twice(call: &Call<'_>, rows: &str) -> Result<(), Unanswered> {
     let headings = rows.lines().next().unwrap_or_default().split(',');
     let paths: Vec<&str> = headings.filter_map(|heading| heading.split(" [").next()).collect();
-    // A remark has each key as a word before its value: `load × 1.15: mechanism.arm.mass 6 kg → 6.9 kg, …`.
-    let mut changed = call.changes.split_whitespace();
+    // A line for each change, those of `--set` first, with each key as a word before its value: `mechanism.arm.mass 6 kg → 6.9 kg`.
+    let scaled = call.changes.lines().skip(call.texts("set").len()).take(call.texts("scale").len());
+    let mut changed = scaled.flat_map(str::split_whitespace);
     match changed.find(|word| paths.iter().any(|path| word.ends_with(path))) {
         Some(path) => {
             let usage = words::Usage::Twice { name: path.to_owned() };

@@ -95,7 +95,7 @@ pub struct OutlyingValues {
     pub count: usize,
     /// Instant of the farthest one from the first sample \[s\].
     pub time_s: f64,
-    /// Its value \[rad\], [rad/s], \[Nm\].
+    /// Value of the farthest one \[rad\], [rad/s], \[Nm\].
     pub value: f64,
 }
 

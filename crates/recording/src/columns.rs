@@ -1,10 +1,11 @@
 //! Assignment of columns to roles, and their units.
 
 use crate::collected::FaultCollector;
+use crate::factor::factor_in;
 use crate::faults::{Fault, NearColumn, excerpt};
 use crate::layout::{Layout, Role};
 use crate::limits::NAMES_MAX;
-use crate::names::{Named, Sureness, axis_of, before_nanoseconds, before_seconds, factor_in, is_share};
+use crate::names::{Named, Sureness, axis_of, before_nanoseconds, before_seconds, is_share};
 use crate::series::{Along, ColumnRead, KnownBy};
 use quantities::{Unit, seen};
 

@@ -27,6 +27,7 @@ mod csv_faults;
 mod csv_units;
 mod damage;
 mod encoding;
+mod factor;
 mod faults;
 mod gather;
 mod lacking;

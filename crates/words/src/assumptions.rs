@@ -1,7 +1,7 @@
 //! Words for the assumptions made where the project states nothing.
 
 use crate::pick;
-use crate::recorded_samples;
+use crate::recorded_samples::{self, figure};
 use crate::texts::said;
 use crate::{about_text, short_label};
 use axis::{Assumption, Overrun, WindowEnd};
@@ -10,7 +10,7 @@ use project::{KeyDefault, key_at};
 use quantities::unit::{
     DEGREE, MILLIMETRE, MILLISECOND, NEWTON_METRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND,
 };
-use quantities::{Language, Unit, format_number, format_significant, with_symbol};
+use quantities::{Language, format_number, format_significant, with_symbol};
 
 /// Returns a default that the user did not confirm, as text.
 #[must_use]
@@ -329,10 +329,6 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         ),
     };
     pick(language, en, de).to_owned()
-}
-
-pub(crate) fn figure(si: f64, unit: &'static Unit, language: Language) -> String {
-    with_symbol(&format_significant(unit.from_si(si), 3, language), unit.symbol_in(language))
 }
 
 /// Returns the value of `standstill` in a line of a project file that sets speeds up to this one to zero.

@@ -1,10 +1,9 @@
 //! Assumptions about the samples of a recording: noise of a torque, samples that are far apart, single values far beside the others.
 
-use crate::assumptions::figure;
 use crate::texts::said;
 use motion::{OutlyingColumn, OutlyingValues, SparseSamples};
 use quantities::unit::{DEGREE, MILLISECOND, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND};
-use quantities::{Language, format_significant};
+use quantities::{Language, Unit, format_significant, with_symbol};
 
 pub(crate) fn torque_noise(deviation_nm: f64, language: Language) -> String {
     let of = |torque: f64| figure(torque, &NEWTON_METRE, language);
@@ -44,4 +43,8 @@ pub(crate) fn sparse(sparse: SparseSamples, language: Language) -> String {
         "the samples of the recording are {interval} apart, too far for its motion: by differences over them the effective acceleration is estimated to be {more} % larger than computed, and so is its torque; record at shorter intervals, or record the speed too"
         | "die Abtastwerte der Aufzeichnung liegen {interval} auseinander, für ihre Bewegung zu weit: die effektive Beschleunigung ist nach Differenzen über mehrere davon schätzungsweise um {more} % größer als gerechnet, ebenso ihr Drehmoment; in kürzeren Abständen aufzeichnen oder die Drehzahl mit aufzeichnen"
     )
+}
+
+pub(crate) fn figure(si: f64, unit: &'static Unit, language: Language) -> String {
+    with_symbol(&format_significant(unit.from_si(si), 3, language), unit.symbol_in(language))
 }

@@ -11,7 +11,7 @@ use super::tree::Tree;
 /// Files that still stand in circles, by folder of the crate. A number may only become smaller.
 const REMAINING: [(&str, usize); 14] = [
     ("crates/mechanism", 3),
-    ("crates/motion", 5),
+    ("crates/motion", 4),
     ("crates/order-code", 2),
     ("crates/page", 15),
     ("crates/project", 28),

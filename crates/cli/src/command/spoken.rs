@@ -103,7 +103,9 @@ pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
             word = plain;
         }
         let before = text(&arguments, place - 1).unwrap_or_default();
-        if let Some(code) = of_frame_size(&word).filter(|_| before == "--code" || !before.starts_with('-')) {
+        // `cha 20a` has the series before the size.
+        let is_alone = before == "--code" || !before.starts_with('-') && !before.eq_ignore_ascii_case(SERIES);
+        if let Some(code) = of_frame_size(&word).filter(|_| is_alone) {
             put(&mut arguments, place, &code);
             word = code;
         }
@@ -137,12 +139,15 @@ pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
     arguments
 }
 
+/// Series of the ordering codes.
+const SERIES: &str = "CHA";
+
 /// Returns the part of a code that a frame size begins, as in `25A` or `32a-100-h`; `None` for a file.
 fn of_frame_size(word: &str) -> Option<String> {
     let (size, _) = word.split_once('-').unwrap_or((word, ""));
     let digits = size.strip_suffix(['a', 'A'])?;
     let is_size = digits.len() == 2 && digits.chars().all(|sign| sign.is_ascii_digit());
-    let code = format!("CHA-{word}");
+    let code = format!("{SERIES}-{word}");
     let is_read = || questions::list::code_list::read_pattern(&code, Language::default()).is_ok();
     (is_size && is_read() && !Path::new(word).exists()).then_some(code)
 }
@@ -231,6 +236,7 @@ mod tests {
             ("compare a.toml 25a-50-h 32A", "compare a.toml --code CHA-25a-50-h --code CHA-32A"),
             ("check a.toml --axis 14A", "check a.toml --axis 14A"),
             ("code list 14a", "code list CHA-14a"),
+            ("code parse cha 14a 100 n d2048", "code parse cha 14a 100 n d2048"),
             ("check --version", "--version"),
         ] {
             assert_eq!(call(written).join(" "), meant, "{written}");

@@ -197,7 +197,14 @@ fn factors_of_the_load_are_those_of_a_scaled_axis() {
     for call in [
         &["--vary", "load=1,1.2", "--vary", "motion[1].payload=1kg,2kg"][..],
         &["--scale", "load=1.15", "--vary", "mechanism.arm.mass=4kg,5kg"],
-        &["--set", "mechanism.arm.mass=4kg", "--vary", "mechanism.arm.mass=4kg,5kg"],
+        &[
+            "--set",
+            "requirements.ambient=30degC",
+            "--scale",
+            "mechanism.arm.mass=1.2",
+            "--vary",
+            "mechanism.arm.mass=4kg,5kg",
+        ],
     ] {
         let run = run(&[&["sweep", "examples/tilting-arm.toml"], call].concat());
         assert!(run.code == 2 && run.out.is_empty() && run.err.contains("given twice"), "{call:?}: {}", run.err);

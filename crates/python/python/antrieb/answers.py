@@ -595,6 +595,8 @@ states."""
     """Segments in their order."""
     setpoints: Setpoints | None = None
     """Setpoints at equal steps; only if a step is stated."""
+    assumptions: Rows[AssumptionEntry] | None = None
+    """Assumptions about the motion; only in the answer of `moves`, other answers have those of the axis."""
 
     def __iter__(self) -> Iterator[Segment]:
         return iter(self.segments)
@@ -921,6 +923,8 @@ class SweepSummary(Record):
     """Rows with further reasons."""
     answers: Rows[SweepRow]
     """The answers of the rows; empty where a file holds them."""
+    assumptions: Rows[AssumptionEntry]
+    """Assumptions that hold for every row: those of the project that no column states."""
 
     def __iter__(self) -> Iterator[SweepRow]:
         return iter(self.answers)
@@ -1196,7 +1200,9 @@ class Simulation(Record):
     parameters: Rows[ModelParameter]
     """Parameters of the model."""
     notes: list[str]
-    """Assumptions and omissions, as text."""
+    """Choices and omissions of the model, as text."""
+    assumptions: Rows[AssumptionEntry]
+    """Assumptions of the axis."""
     trace: str | None = None
     """File of the recorded signals; `null` if none was written."""
 
@@ -1563,6 +1569,8 @@ class Comparison(Record):
     """Errata that touch the data."""
     checks: Rows[CheckRow]
     """Comparison check by check."""
+    assumptions: Rows[AssumptionEntry]
+    """Assumptions of the axis."""
 
     @property
     def axes(self) -> Rows[Comparison]:
@@ -3350,23 +3358,13 @@ class Bearings(Record):
 
     sizes: Rows[BearingOfSize]
     """Results for every size."""
+    assumptions: Rows[AssumptionEntry]
+    """Assumptions of the axis."""
 
     @property
     def axes(self) -> Rows[Bearings]:
         """It as the answer of its only axis, as `AxesOfBearings` has those of several."""
         return Rows([self])
-
-    def __iter__(self) -> Iterator[BearingOfSize]:
-        return iter(self.sizes)
-
-    def __len__(self) -> int:
-        return len(self.sizes)
-
-    def __contains__(self, item: object, /) -> bool:
-        return item in self.sizes
-
-    def __getitem__(self, key: int | str, /) -> BearingOfSize:
-        return self.sizes[key]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -3451,6 +3449,8 @@ class Mount(Record):
     """Units of the figures, by field."""
     notes: list[str]
     """Remarks on data not covered by the tables, and on the basis of the figures, as text."""
+    assumptions: Rows[AssumptionEntry] | None = None
+    """Assumptions of the axis whose loads act on the joints; empty without a project."""
     pilots: Rows[Pilot]
     """Pilots with their bores, load side first."""
     tolerances: Rows[MountValue]
