@@ -80,7 +80,7 @@ fn ranking(case: &Case<'_>) {
     assert_eq!(found.answer.is_some(), found.fitting > 0);
     keeps_to_schema("size", &found);
     if let Ok(found) = list::bearing::sizes(case.project, &progress, case.language) {
-        keeps_to_schema("bearing", &answer::bearings(&found, &case.project, case.language));
+        keeps_to_schema("bearing", &answer::bearings(&found, case.project, case.language));
     }
 }
 
@@ -169,7 +169,7 @@ fn workings(case: &Case<'_>, code: &ProductId) {
 fn compare_first_two(case: &Case<'_>, sizing: &Sizing<'_>) {
     let codes: Vec<ProductId> = sizing.candidates.iter().take(2).map(|each| each.id.clone()).collect();
     let Ok(found) = questions::list::compare::compare(case.project, &codes, &Progress::endless()) else { return };
-    keeps_to_schema("compare", &answer::comparison(&found, &case.project, case.language));
+    keeps_to_schema("compare", &answer::comparison(&found, case.project, case.language));
     assert!(found.checks.iter().all(|row| row.checks.len() == codes.len()));
     let twice: Vec<ProductId> = codes.iter().take(1).chain(codes.iter().take(1)).cloned().collect();
     let Ok(found) = questions::list::compare::compare(case.project, &twice, &Progress::endless()) else { return };
