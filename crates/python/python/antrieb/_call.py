@@ -460,7 +460,8 @@ def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
         # An array without a dimension is one value.
         is_scalar = getattr(given, "ndim", None) == 0 and hasattr(given, "__array_interface__")
         # A text of NumPy is a text.
-        value: Any = str(given) if isinstance(given, str) and is_scalar else given[()] if is_scalar else given
+        whole: Any = given
+        value: Any = str(whole) if isinstance(given, str) and is_scalar else whole[()] if is_scalar else whole
         if name in WHOLE:
             _whole(value, name)
         if name in WORDS:
