@@ -264,8 +264,13 @@ def placed(error: AntriebError, given: Iterable[tuple[str, str]], folders: Seque
     for fault in error.record.get("errors", []):
         if not any(fault.get(place) for place in ("option", "file", "line", "heading", "position")):
             names = [name for name, value in pairs if _quotes(fault["message"], value)]
-            if not names and _TRACE.search(fault["message"]):
+            line = _LINE.match(fault["message"])
+            if not names and (_TRACE.search(fault["message"]) or line):
                 names = [name for name, _ in pairs if name == "trace"]
+            if names == ["trace"] and line and folders:
+                # The first row of arrays is behind the headings of the file that holds them for the call.
+                row = f"{'row' if line[1] == 'line' else 'Reihe'} {int(line[2]) - 2}: "
+                fault = {**fault, "message": row + fault["message"][line.end() :]}
             fault = {**fault, "option": names[0]} if names else fault
         for folder in folders:
             fault = {key: value.replace(folder, "") if isinstance(value, str) else value for key, value in fault.items()}
@@ -278,7 +283,8 @@ def _quotes(message: str, value: str) -> bool:
     if len(value) > WORD_MOST:
         return value[: WORD_SHOWN // 2] in message
     found = re.escape(value)
-    return bool(re.search(rf"(?<!\w){found}(?!\w)" if len(value) > 1 else rf"[\"„“`']{found}[\"“”`']", message))
+    # A value is no part of a number, such as 10 of 1.00·10⁻⁶.
+    return bool(re.search(rf"(?<![\w.,·]){found}(?![\w⁻⁺]|[.,·]\d)" if len(value) > 1 else rf"[\"„“`']{found}[\"“”`']", message))
 
 
 def of_objects(error: AntriebError, texts: Sequence[Text]) -> AntriebError:
@@ -305,6 +311,7 @@ def with_nearest(error: AntriebError) -> AntriebError:
     return error
 
 
+_LINE = re.compile(r"(line|Zeile) (\d+): ")
 _TRACE = re.compile(r"\b(?:trace|Verlauf)\b")
 """Word of a fault that is about a recorded run."""
 

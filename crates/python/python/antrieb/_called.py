@@ -11,6 +11,12 @@ from typing import Any, ParamSpec, TypeVar
 
 from antrieb._plain import shown
 
+GENERAL = ("lang", "axis", "file", "folder", "deadline", "memory", "progress", "theme", "width", "height", "format")
+"""Arguments of most questions, which a value without a name is rarely meant for."""
+
+NAMED_MOST = 4
+"""Arguments that a refusal proposes."""
+
 P = ParamSpec("P")
 T = TypeVar("T")
 
@@ -49,7 +55,9 @@ def refused(function: Callable[..., Any], places: tuple[Any, ...], given: Mappin
             return f"{name} has no argument {each!r}; {hint}"
     if len(places) > len(first):
         value = places[len(first)]
-        own = "lang" if isinstance(value, str) and value in ("en", "de") else next((each.name for each in parameters if each.kind is each.KEYWORD_ONLY), "…")
+        named = [each.name for each in parameters if each.kind is each.KEYWORD_ONLY]
+        special = [each for each in named if each not in GENERAL] or named or ["…"]
+        own = "lang" if isinstance(value, str) and value in ("en", "de") else "=…, ".join(special[:NAMED_MOST])
         taken = ", ".join(each.name for each in first) or "nothing"
         return f"{name} takes {taken} by place; {shown(value)} has no name; write it as in {own}=…"
     twice = [each.name for each in first[: len(places)] if each.name in given]

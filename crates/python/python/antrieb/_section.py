@@ -39,6 +39,19 @@ class Kind(NamedTuple):
     of_key: str = ""
 
 
+def _is_like_example(value: Any, example: str | None) -> bool:
+    """Returns true if a text has a unit of the quantity of an example."""
+    from antrieb import _antrieb
+    from antrieb._quantity import split
+    from antrieb._trace import quantities
+
+    parts = [split(each) for each in (value, example) if isinstance(each, str)]
+    units = [part[1] for part in parts if part is not None and part[1]]
+    if len(units) != 2:
+        return False
+    return any(all(_antrieb.unit_in_si(each.quantity, unit) is not None for unit in units) for each in quantities())
+
+
 class Section:
     """A section: its fields are the keys that are given, as they are written; a key that is not given is `None`.
 
@@ -63,8 +76,10 @@ class Section:
                     hint = "arrays become axes by antrieb.axes_from_arrays(time, position, torque=…)"
                 raise TypeError(f"{cls.__name__} has no keyword {name!r}; {hint}")
         if len(places) > len(cls._PLACES):
-            first = next((name for name in cls._KEYS if name not in cls._PLACES), "")
-            raise TypeError(f"{cls.__name__}: {places[len(cls._PLACES)]!r} has no name; write it as in {first}=…")
+            value = places[len(cls._PLACES)]
+            others = [name for name in cls._KEYS if name not in cls._PLACES]
+            fitting = [name for name in others if _is_like_example(value, cls._KEYS[name].example)]
+            raise TypeError(f"{cls.__name__}: {value!r} has no name; write it as in {'=…, '.join((fitting or others)[:4])}=…")
         return super().__new__(cls)
 
     def _begin(self, **given: Any) -> None:

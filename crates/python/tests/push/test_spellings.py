@@ -243,6 +243,23 @@ class Faults(unittest.TestCase):
             warnings.simplefilter("error")
             antrieb.sweep(AXIS, {"motion.1.payload [kg]": [1.0, 2.0], "id": [1, 2]})
 
+    def test_what_has_no_name_is_told_the_names_that_fit(self) -> None:
+        for call, message in (
+            (lambda: antrieb.torsion(CODE, "1 N m"), "write it as in torque=…, angle=…$"),  # type: ignore[call-arg]
+            (lambda: antrieb.Arm("1 kg"), "write it as in mass=…$"),  # type: ignore[arg-type]
+            (lambda: antrieb.Move("jerk", "1 deg"), "write it as in distance=…$"),  # type: ignore[misc]
+        ):
+            with self.subTest(message), self.assertRaisesRegex(TypeError, message):
+                call()
+
+    def test_rows_of_a_run_are_those_of_its_arrays(self) -> None:
+        t = np.linspace(0, 5, 5001)
+        run = {"time [s]": t[::-1], "position [rad]": np.sin(t), "motor_speed [rad/s]": np.cos(t), "torque [N m]": np.cos(t), "current_q [A]": np.cos(t)}
+        with self.assertRaisesRegex(antrieb.AntriebError, "^trace: row 1: the time"):
+            antrieb.identify(run, AXIS, CODE)
+        with self.assertRaisesRegex(antrieb.AntriebError, "^(?!top)"):
+            antrieb.size(AXIS, deadline="1 us")
+
     def test_a_text_of_numpy_is_a_text(self) -> None:
         self.assertEqual(antrieb.check(AXIS, np.str_(CODE)).code, CODE)
         self.assertEqual(len(antrieb.explain(AXIS, np.str_(CODE), check=typing.cast("typing.Any", np.str_("thermal"))).checks), 1)
