@@ -109,8 +109,9 @@ impl<'t, F: From<Fault> + PartialEq> FaultReport<'t, F> {
             self.unread_faults += 1;
             return;
         }
-        let end = span.end.min(self.text.len());
-        let start = span.start.min(end);
+        // A place in a damaged line may lie within a character.
+        let end = self.text.ceil_char_boundary(span.end.min(self.text.len()));
+        let start = self.text.floor_char_boundary(span.start.min(end));
         if !self.is_listed(start) {
             self.more += 1;
             return;
