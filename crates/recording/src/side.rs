@@ -36,12 +36,10 @@ const INDICES: [&str; 3] = ["m", "an", "in"];
 const INPUTS: [&str; 3] = ["input", "eingang", "antrieb"];
 
 /// Words that place a quantity in front of the gear: `Drehzahl vor Getriebe`, `torque before gear`, `air gap torque`.
-const IN_FRONT: [(&str, &str); 9] = [
+const IN_FRONT: [(&str, &str); 7] = [
     ("vor", "getriebe"),
-    ("vor", "dem"),
     ("before", "gear"),
     ("before", "gearbox"),
-    ("before", "the"),
     ("gear", "input"),
     ("gearbox", "input"),
     ("air", "gap"),
@@ -56,7 +54,9 @@ const QUANTITIES: [&str; 9] =
 /// name that a drive gives it: SINAMICS `r0482[0]`, `r0061`, `r0063`, `r0080`, Kollmorgen `VL.FB`, CiA 402 `606C`.
 #[must_use]
 pub fn is_of_motor(heading: &str) -> bool {
-    let words = words(heading);
+    let mut words = words(heading);
+    // `vor dem Getriebe`, `before the gear`.
+    words.retain(|word| word != "dem" && word != "the");
     let pairs = || words.iter().zip(words.iter().skip(1)).map(|(first, second)| (first.as_str(), second.as_str()));
     let is_word = |word: &String| {
         let object = word.trim_start_matches("0x").trim_end_matches('h');
@@ -137,6 +137,7 @@ mod tests {
             "rotor position",
             "mtr_spd",
             "Drehzahl vor Getriebe [1/min]",
+            "Drehzahl vor dem Getriebe [1/min]",
             "torque before gearbox [Nm]",
             "air gap torque [Nm]",
             "electromagnetic torque",
@@ -168,6 +169,8 @@ mod tests {
             "motion",
             "Drehzahl",
             "Moment nach Getriebe [Nm]",
+            "Moment nach dem Getriebe [Nm]",
+            "Winkel vor dem Halt [deg]",
             "torque behind gear",
         ] {
             assert!(!is_of_motor(heading), "{heading}");
