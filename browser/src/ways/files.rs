@@ -194,9 +194,17 @@ pub(crate) fn forget(stage: &OpenPage<'_>) -> Worded {
     stage.example("belt", "en")?;
     tab.click("#save")?;
     tab.says("#status", "axis.toml")?;
+    tab.fill("#file", "other.toml")?;
+    tab.click("#save")?;
+    tab.says("#status", "other.toml")?;
     stage.start("en")?;
+    // The focus goes on to the next file, and behind the last one to what opens a file.
     tab.click("[data-forget=\"axis.toml\"]")?;
+    tab.until("!document.querySelector('[data-forget=\"axis.toml\"]')")?;
+    tab.until("document.activeElement.dataset.forget === 'other.toml'")?;
+    tab.click("[data-forget=\"other.toml\"]")?;
     tab.until("!document.querySelector('[data-forget]')")?;
+    tab.until("'open' in document.activeElement.dataset")?;
     tab.reload()?;
     tab.there("#start-title")?;
     tab.until("!document.querySelector('[data-forget]')")

@@ -282,7 +282,13 @@
     const gone = event.target.closest?.('[data-forget]');
     if (gone) {
       await forget(gone.dataset.forget);
-      gone.closest('li').remove();
+      const item = gone.closest('li');
+      const list = item.parentElement;
+      // The button takes the focus with it: the next file has it then, or what opens one.
+      const next = (item.nextElementSibling ?? item.previousElementSibling)?.querySelector('[data-forget]');
+      item.remove();
+      (next ?? list.parentElement.querySelector('[data-open]') ?? document.querySelector('[data-open]'))?.focus();
+      if (!list.childElementCount) { list.previousElementSibling.remove(); list.remove(); }
     } else if (link) {
       event.preventDefault();
       const reply = await fetch(link.getAttribute('href'));
