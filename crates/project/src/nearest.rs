@@ -106,14 +106,70 @@ const OTHER_NAMES: [(&str, &[&str]); 94] = [
     ("haltebremse", &["brake"]),
 ];
 
+/// Other words for values with a fixed set of words, and the words that they may stand for.
+const OTHER_VALUES: &[(&str, &[&str])] = &[
+    ("sinus", &["modified_sine", "simple_sine", "inclined_sine"]),
+    ("sinoide", &["modified_sine", "simple_sine", "inclined_sine"]),
+    ("sine", &["modified_sine", "simple_sine", "inclined_sine"]),
+    ("cosine", &["simple_sine"]),
+    ("kosinus", &["simple_sine"]),
+    ("harmonic", &["simple_sine"]),
+    ("harmonisch", &["simple_sine"]),
+    ("einfache_sinuslinie", &["simple_sine"]),
+    ("modifizierte_sinuslinie", &["modified_sine"]),
+    ("geneigte_sinuslinie", &["inclined_sine"]),
+    ("bestehorn", &["inclined_sine"]),
+    ("bestehornsinoide", &["inclined_sine"]),
+    ("cycloid", &["inclined_sine"]),
+    ("cycloidal", &["inclined_sine"]),
+    ("zykloide", &["inclined_sine"]),
+    ("modifiziertes_trapez", &["modified_trapezoid"]),
+    ("trapez", &["trapezoid"]),
+    ("trapezoidal", &["trapezoid"]),
+    ("dreieck", &["triangle"]),
+    ("triangular", &["triangle"]),
+    ("bang_bang", &["triangle"]),
+    ("parabel", &["parabola", "triangle"]),
+    ("s_curve", &["jerk"]),
+    ("scurve", &["jerk"]),
+    ("s_kurve", &["jerk"]),
+    ("ruckbegrenzt", &["jerk"]),
+    ("jerk_limited", &["jerk"]),
+    ("quintic", &["polynomial_5"]),
+    ("poly5", &["polynomial_5"]),
+    ("polynom_5", &["polynomial_5"]),
+    ("3_4_5", &["polynomial_5"]),
+    ("konstant", &["constant"]),
+    ("linear", &["constant"]),
+    ("rast", &["dwell"]),
+    ("stillstand", &["dwell"]),
+    ("pause", &["dwell"]),
+    ("wait", &["dwell"]),
+    ("offen", &["open"]),
+    ("bremse", &["brake"]),
+    ("frei", &["free"]),
+];
+
 /// Letters of names as [`OTHER_NAMES`] writes them: umlauts by two letters.
 const LETTERS: [(char, &str); 4] = [('\u{e4}', "ae"), ('\u{f6}', "oe"), ('\u{fc}', "ue"), ('\u{df}', "ss")];
 
 /// Returns the keys that another name, in lower case, may stand for.
 #[must_use]
 pub fn other_names(written: &str) -> &'static [&'static str] {
-    let plain = LETTERS.iter().fold(written.to_owned(), |text, (letter, plain)| text.replace(*letter, plain));
+    let plain = plain_letters(written);
     OTHER_NAMES.iter().find(|(name, _)| *name == plain).map_or(&[], |(_, names)| names)
+}
+
+/// Returns a text with umlauts by two letters.
+fn plain_letters(text: &str) -> String {
+    LETTERS.iter().fold(text.to_owned(), |text, (letter, plain)| text.replace(*letter, plain))
+}
+
+/// Returns those of the valid words that another word for a value may stand for.
+fn other_values<'v>(written: &str, valid: &[&'v str]) -> Vec<&'v str> {
+    let plain = plain_letters(&written.trim().to_lowercase()).replace([' ', '-'], "_");
+    let meant = OTHER_VALUES.iter().find(|(word, _)| *word == plain).map_or(&[][..], |(_, meant)| meant);
+    meant.iter().filter_map(|word| valid.iter().find(|valid| *valid == word)).copied().collect()
 }
 
 /// Names for the number of stations of a table that turns on by one station.
@@ -226,6 +282,10 @@ fn digits(name: &str) -> impl Iterator<Item = char> {
 #[must_use]
 pub fn nearest(written: &str, valid: &[&str]) -> Hint {
     let written = shortened(written, WORD_SHOWN);
+    let meant = other_values(&written, valid);
+    if !meant.is_empty() {
+        return Hint::instead(&meant);
+    }
     // An abbreviated or extended word is nearer than its number of letters suggests.
     let akin = valid
         .iter()
@@ -248,10 +308,47 @@ pub fn nearest(written: &str, valid: &[&str]) -> Hint {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Diagnostic, Hint, read};
+    use crate::{Diagnostic, Fault, Hint, SegmentLaw, read, value::WordChoice};
 
     fn found(text: &str) -> Vec<Diagnostic> {
         read(text).unwrap().report.into_faults()
+    }
+
+    /// Requires that the words of the trade for a law lead to it, however few letters they share with its name.
+    #[test]
+    fn another_word_for_a_law_leads_to_it() {
+        let hint = |law: &str| {
+            let text = format!(
+                "format = 1\n[mechanism.arm]\nmass = \"5 kg\"\nlength = \"1 m\"\n[[motion]]\nlaw = \"{law}\"\n"
+            );
+            found(&text)
+                .into_iter()
+                .find(|fault| matches!(fault.fault, Fault::NotAChoice { .. }))
+                .and_then(|fault| fault.hint)
+        };
+        let one = |word: &str| Some(Hint::DidYouMean(word.to_owned()));
+        let sines = Some(Hint::valid(&["modified_sine", "simple_sine", "inclined_sine"]));
+        for law in ["sinus", "Sine", "Sinoide"] {
+            assert_eq!(hint(law), sines, "{law}");
+        }
+        let words = [
+            ("Geneigte Sinuslinie", "inclined_sine"),
+            ("Bestehorn", "inclined_sine"),
+            ("cycloidal", "inclined_sine"),
+            ("S-Kurve", "jerk"),
+            ("ruckbegrenzt", "jerk"),
+            ("quintic", "polynomial_5"),
+            ("Trapez", "trapezoid"),
+            ("Rast", "dwell"),
+            ("linear", "constant"),
+        ];
+        for (law, meant) in words {
+            assert_eq!(hint(law), one(meant), "{law}");
+        }
+        for (word, meant) in super::OTHER_VALUES {
+            let is_known = |each: &&str| SegmentLaw::WORDS.contains(each) || ["brake", "free"].contains(each);
+            assert!(meant.iter().all(is_known), "{word}");
+        }
     }
 
     /// Requires that keys of a body in a table of points lead to a turntable, and those of another mechanism to it.
