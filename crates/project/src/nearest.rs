@@ -114,7 +114,6 @@ const OTHER_VALUES: &[(&str, &[&str])] = &[
     ("cosine", &["simple_sine"]),
     ("kosinus", &["simple_sine"]),
     ("harmonic", &["simple_sine"]),
-    ("harmonisch", &["simple_sine"]),
     ("einfache_sinuslinie", &["simple_sine"]),
     ("modifizierte_sinuslinie", &["modified_sine"]),
     ("geneigte_sinuslinie", &["inclined_sine"]),
